@@ -1,0 +1,37 @@
+#pragma once
+
+#include "solver/scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace patchlight {
+
+using PatchIndex = std::uint32_t;
+using VertexIndex = std::uint32_t;
+
+/// A planar quad or triangle of one surface; a triangle repeats its last vertex.
+struct Patch {
+    std::array<VertexIndex, 4> vertices{};  // counter-clockwise from the front
+    SurfaceIndex surface = 0;
+    Vec3 centre = Vec3::Zero();  // centroid [m]
+    double area = 0.0;           // [m²]
+    bool covered = false;        // wholly under a coplanar polygon listed later: sees nothing
+
+    bool is_triangle() const { return vertices[3] == vertices[2]; }
+    std::size_t corner_count() const { return is_triangle() ? 3 : 4; }
+};
+
+/// Patches of a scene, grouped by surface: surface s owns patches first_of_surface[s] up to
+/// first_of_surface[s + 1]. Vertices are shared, so that neighbours can be found.
+struct PatchMesh {
+    std::vector<Vec3> vertices;  // [m]
+    std::vector<Patch> patches;
+    std::vector<PatchIndex> first_of_surface;
+    double patch_size = 0.0;  // longest edge asked for [m]
+
+    std::size_t size() const { return patches.size(); }
+};
+
+}  // namespace patchlight

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace patchlight {
+
+using Vec3 = Eigen::Vector3d;  // a point or a direction [m] or [1]
+using Rgb = Eigen::Array3d;    // one quantity per channel
+
+/// The scalar of a triple: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709), so a grey x stays x.
+inline double luminance(const Rgb& rgb) {
+    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
+
+}  // namespace patchlight

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "solver/mesh/patch_mesh.h"
+#include "solver/scene/scene.h"
+#include "solver/settings.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace patchlight {
+
+/// The field that pictures show: radiosity at vertices, linear in between. A vertex belongs to one
+/// object and one smooth surface; covered patches are left out.
+struct DisplayMesh {
+    std::vector<Vec3> positions;  // [m]
+    std::vector<Rgb> radiosity;   // at each vertex [W/m²]
+    std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from the front
+    std::vector<PatchIndex> patch;                        // which patch each triangle belongs to
+};
+
+/// Where the light went, summed over all patches [W].
+struct EnergyReport {
+    Rgb emitted = Rgb::Zero();
+    Rgb absorbed = Rgb::Zero();  // by fronts
+    Rgb backs = Rgb::Zero();     // by backs of one-sided surfaces
+    Rgb escaped = Rgb::Zero();
+    double defect = 0.0;  // largest |emitted - absorbed - backs - escaped| / emitted [1]
+};
+
+struct ErrorReport {
+    std::optional<double> target;           // accuracy asked for
+    std::optional<double> estimate;         // of the displayed field
+    std::optional<double> algebraic_bound;  // rigorous, against the stored matrix
+};
+
+/// Defects of a matrix: closure is row_sum + backs + escaped = 1, reciprocity A_i F_ij = A_j F_ji.
+struct ClosureReport {
+    double row_sum_min = 0.0;
+    double row_sum_max = 0.0;
+    double row_sum_mean = 0.0;   // area-weighted
+    double closure_max = 0.0;    // largest |row_sum + backs + escaped - 1|
+    double reciprocity_max = 0.0;  // largest |A_i F_ij - A_j F_ji| / min(A_i, A_j)
+};
+
+struct FormFactorReport {
+    ClosureReport measured;  // as the engine gave them
+    ClosureReport repaired;  // as they were used
+    std::uint64_t rays = 0;
+    bool open = false;       // light escapes
+};
+
+struct ConvergenceStep {
+    int iteration = 0;
+    double seconds = 0.0;   // since the solve began
+    double residual = 0.0;  // ‖E + ρFB − B‖ / ‖E‖, area-weighted 2-norm, worst channel [1]
+};
+
+struct ObjectReport {
+    double area = 0.0;             // [m²]
+    Rgb radiosity = Rgb::Zero();   // area mean [W/m²]
+    Rgb irradiance = Rgb::Zero();  // area mean [W/m²]
+    Rgb emitted = Rgb::Zero();     // [W]
+    Rgb min = Rgb::Zero();         // of radiosity over the display field [W/m²]
+    Rgb max = Rgb::Zero();
+};
+
+struct SensorReport {
+    Rgb irradiance = Rgb::Zero();  // gathered at the point [W/m²]
+    double error = 0.0;            // standard error of its visibility sampling, luminance [W/m²]
+};
+
+struct StageSeconds {
+    double mesh = 0.0;
+    double form_factors = 0.0;
+    double solve = 0.0;
+    double display = 0.0;
+};
+
+enum class Status : std::uint8_t { converged, limit, cancelled };
+
+struct Solution {
+    Status status = Status::converged;
+    bool within_tolerance = false;  // algebraic_bound <= tolerance
+    SolveSettings settings;         // with every choice made
+    std::string why;                // one sentence: why this engine and this method
+    PatchMesh mesh;
+    std::vector<Rgb> radiosity;   // per patch [W/m²]
+    std::vector<Rgb> irradiance;  // per patch [W/m²]
+    DisplayMesh display;
+    ErrorReport error;
+    EnergyReport energy;
+    FormFactorReport form_factors;
+    std::vector<ConvergenceStep> convergence;
+    std::vector<ObjectReport> objects;  // as in scene.objects
+    std::vector<SensorReport> sensors;  // as in scene.sensors
+    std::vector<Finding> findings;
+    StageSeconds seconds;
+};
+
+}  // namespace patchlight

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solver/scene/scene.h"
+#include "solver/settings.h"
+#include "solver/solution.h"
+
+namespace patchlight {
+
+/// What a solve would cost, known before anything is allocated.
+struct CostEstimate {
+    std::size_t patches = 0;
+    std::uint64_t memory = 0;  // peak [bytes]
+    double seconds = 0.0;      // on two cores, order of magnitude
+};
+
+/// Throws InputError("/solve/...") if a setting asks for what cannot be done.
+CostEstimate estimate_cost(const Scene& scene, const SolveSettings& settings);
+
+/// Solves the radiosity equation B = E + ρ F B of the scene.
+/// Throws InputError if a setting asks for what cannot be done, or if the estimate exceeds
+/// `memory_limit` (the message carries both numbers). Reaching a limit, or the observer's `stop`,
+/// is told by `status`, with the solution so far.
+Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe);
+
+/// All reflectances and exitances are grey: one channel carries all three.
+bool is_grey(const Scene& scene);
+
+}  // namespace patchlight
