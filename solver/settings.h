@@ -13,17 +13,17 @@ enum class Engine : std::uint8_t { automatic, hemicube, ray_cast, analytic };
 struct SolveSettings {
     Method method = Method::automatic;
     Engine engine = Engine::automatic;
-    std::optional<double> accuracy;         // relative error asked for [1]
-    std::optional<double> patch_size;       // longest patch edge; half of it: 4 times the patches [m]
-    std::optional<int> rays;                // per patch; 4 times as many: half the noise [1]
+    std::optional<double> accuracy;    // relative error asked for [1]
+    std::optional<double> patch_size;  // longest patch edge; half of it: 4 times the patches [m]
+    std::optional<int> rays;           // per patch; 4 times as many: half the noise [1]
     std::optional<int> hemicube_resolution;  // pixels along the top face's edge [pixels]
-    std::optional<double> tolerance;        // algebraic bound at which sweeps stop, default 1e-4 [1]
+    std::optional<double> tolerance;  // algebraic bound at which sweeps stop, default 1e-4 [1]
     std::optional<int> max_iterations;
-    std::optional<bool> ambient;            // shooting's display term
+    std::optional<bool> ambient;  // shooting's display term
     std::uint64_t seed = 1;
-    std::optional<double> time_limit;            // [s]
-    std::optional<std::uint64_t> memory_limit;   // [bytes]
-    int threads = 0;                             // 0: all cores
+    std::optional<double> time_limit;           // [s]
+    std::optional<std::uint64_t> memory_limit;  // [bytes]
+    int threads = 0;                            // 0: all cores
 };
 
 enum class Stage : std::uint8_t { mesh, form_factors, solve, display };
@@ -32,9 +32,9 @@ enum class Verdict : std::uint8_t { go_on, stop };
 /// What a long job tells after each step.
 struct Progress {
     Stage stage = Stage::mesh;
-    double fraction = 0.0;   // of this stage [1]
+    double fraction = 0.0;  // of this stage [1]
     int iteration = 0;
-    double residual = 0.0;   // of the solver, relative [1]
+    double residual = 0.0;  // of the solver, relative [1]
 };
 
 /// Called after each step from the thread that called the solver; `stop` ends the work with what

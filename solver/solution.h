@@ -15,8 +15,8 @@ namespace patchlight {
 /// The field that pictures show: radiosity at vertices, linear in between. A vertex belongs to one
 /// object and one smooth surface; covered patches are left out.
 struct DisplayMesh {
-    std::vector<Vec3> positions;  // [m]
-    std::vector<Rgb> radiosity;   // at each vertex [W/m²]
+    std::vector<Vec3> positions;                          // [m]
+    std::vector<Rgb> radiosity;                           // at each vertex [W/m²]
     std::vector<std::array<std::uint32_t, 3>> triangles;  // counter-clockwise from the front
     std::vector<PatchIndex> patch;                        // which patch each triangle belongs to
 };
@@ -40,8 +40,8 @@ struct ErrorReport {
 struct ClosureReport {
     double row_sum_min = 0.0;
     double row_sum_max = 0.0;
-    double row_sum_mean = 0.0;   // area-weighted
-    double closure_max = 0.0;    // largest |row_sum + backs + escaped - 1|
+    double row_sum_mean = 0.0;     // area-weighted
+    double closure_max = 0.0;      // largest |row_sum + backs + escaped - 1|
     double reciprocity_max = 0.0;  // largest |A_i F_ij - A_j F_ji| / min(A_i, A_j)
 };
 
@@ -49,12 +49,12 @@ struct FormFactorReport {
     ClosureReport measured;  // as the engine gave them
     ClosureReport repaired;  // as they were used
     std::uint64_t rays = 0;
-    bool open = false;       // light escapes
+    bool open = false;  // light escapes
 };
 
 struct ConvergenceStep {
     int iteration = 0;
-    double seconds = 0.0;   // since the solve began
+    double seconds = 0.0;  // since the solve began
     double residual = 0.0;  // ‖E + ρFB − B‖ / ‖E‖, area-weighted 2-norm, worst channel [1]
 };
 

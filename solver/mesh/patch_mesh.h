@@ -29,7 +29,9 @@ struct PatchMesh {
     std::vector<Vec3> vertices;  // [m]
     std::vector<Patch> patches;
     std::vector<PatchIndex> first_of_surface;
-    double patch_size = 0.0;  // longest edge asked for [m]
+    std::vector<std::array<std::uint32_t, 2>> grid;  // per surface: cells along edges 0-1 and 1-2
+                                                     // of a grid, row by row; {0, 0} if it is none
+    double patch_size = 0.0;                         // longest edge asked for [m]
 
     std::size_t size() const { return patches.size(); }
 };

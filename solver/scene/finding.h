@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct Finding {
     std::vector<std::string> objects;  // names of the objects concerned
     std::string detail;                // what and where
     std::string remedy;                // what would put it right
+    std::size_t count = 1;             // how often it was met
 };
 
 }  // namespace patchlight

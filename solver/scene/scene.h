@@ -30,13 +30,13 @@ enum class Side : std::uint8_t { front, back };
 /// A simple planar polygon, convex or not, that reflects and emits at its front: the side from
 /// which `corners` run counter-clockwise. Its back absorbs.
 struct Surface {
-    std::vector<Vec3> corners;  // at least 3 [m]
+    std::vector<Vec3> corners;   // at least 3 [m]
     Vec3 normal = Vec3::Zero();  // unit, out of the front [1]
     double area = 0.0;           // [m²]
     MaterialIndex material = 0;
     ObjectIndex object = 0;
-    std::uint32_t face = 0;    // number of the polygon, as given, within its object
-    Side side = Side::front;   // `back`: the second half of a two-sided polygon
+    std::uint32_t face = 0;   // number of the polygon, as given, within its object
+    Side side = Side::front;  // `back`: the second half of a two-sided polygon
 };
 
 /// A point at which irradiance is wanted.

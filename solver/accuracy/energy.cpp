@@ -1,0 +1,62 @@
+#include "solver/accuracy/energy.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace patchlight {
+
+EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
+                            const ExchangeMatrix& exchange, const std::vector<Rgb>& radiosity,
+                            const std::vector<Rgb>& irradiance) {
+    EnergyReport energy;
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        const Patch& patch = mesh.patches[i];
+        const Material& material = scene.materials[scene.surfaces[patch.surface].material];
+        energy.emitted += patch.area * material.exitance;
+        energy.absorbed += patch.area * (1.0 - material.reflectance) * irradiance[i];
+        energy.backs += patch.area * exchange.backs[i] * radiosity[i];
+        energy.escaped += patch.area * exchange.escaped[i] * radiosity[i];
+    }
+    const Rgb lost = (energy.emitted - energy.absorbed - energy.backs - energy.escaped).abs();
+    for (int c = 0; c < 3; ++c)
+        if (energy.emitted[c] > 0.0)
+            energy.defect = std::max(energy.defect, lost[c] / energy.emitted[c]);
+    return energy;
+}
+
+std::vector<ObjectReport> measure_objects(const Scene& scene, const Solution& solution) {
+    std::vector<ObjectReport> objects(scene.objects.size());
+    for (ObjectReport& object : objects) {
+        object.min = Rgb::Constant(std::numeric_limits<double>::infinity());
+        object.max = -object.min;
+    }
+    const auto object_of = [&](PatchIndex i) -> ObjectReport& {
+        return objects[scene.surfaces[solution.mesh.patches[i].surface].object];
+    };
+    for (PatchIndex i = 0; i < solution.mesh.size(); ++i) {
+        const Patch& patch = solution.mesh.patches[i];
+        ObjectReport& object = object_of(i);
+        object.area += patch.area;
+        object.radiosity += patch.area * solution.radiosity[i];
+        object.irradiance += patch.area * solution.irradiance[i];
+        object.emitted +=
+            patch.area * scene.materials[scene.surfaces[patch.surface].material].exitance;
+    }
+    for (std::size_t t = 0; t < solution.display.triangles.size(); ++t)
+        for (const std::uint32_t vertex : solution.display.triangles[t]) {
+            ObjectReport& object = object_of(solution.display.patch[t]);
+            object.min = object.min.min(solution.display.radiosity[vertex]);
+            object.max = object.max.max(solution.display.radiosity[vertex]);
+        }
+    for (ObjectReport& object : objects) {
+        if (object.area > 0.0) {
+            object.radiosity /= object.area;
+            object.irradiance /= object.area;
+        }
+        if (!object.min.isFinite().all())
+            object.min = object.max = object.radiosity;  // wholly covered
+    }
+    return objects;
+}
+
+}  // namespace patchlight

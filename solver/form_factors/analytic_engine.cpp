@@ -1,0 +1,109 @@
+#include "solver/form_factors/analytic_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+
+constexpr int fewest_samples = 4;   // of a pair that something may block
+constexpr int most_samples = 2048;  // of one pair
+constexpr int penumbra_effort = 8;  // times as many where the first samples disagree
+
+}  // namespace
+
+AnalyticEngine::AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const RayScene& ray_scene,
+                               const AnalyticSettings& settings)
+    : mesh_(mesh),
+      ray_scene_(ray_scene),
+      settings_(settings),
+      exchange_(scene, mesh),
+      blockers_(scene, mesh),
+      outside_rays_(scene, mesh, ray_scene, settings.outside_rays, mix(settings.seed, 0x6f7574)),
+      visibility_(outside_rays_, ray_scene, most_samples, mix(settings.seed, 0x766973)) {}
+
+std::vector<VisibilityQuery> AnalyticEngine::first_queries(const std::vector<double>& factors,
+                                                           const std::vector<PatchIndex>& columns,
+                                                           PatchIndex i) const {
+    std::vector<VisibilityQuery> queries;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (!blockers_.may_block(i, columns[k])) continue;
+        VisibilityQuery query;
+        query.i = i;
+        query.j = columns[k];
+        const double share = std::max(
+            factors[k], factors[k] * mesh_.patches[i].area / mesh_.patches[columns[k]].area);
+        query.count =
+            std::clamp(static_cast<int>(std::lround(settings_.rays * std::min(share, 1.0))),
+                       fewest_samples, most_samples / penumbra_effort);
+        queries.push_back(query);
+    }
+    return queries;
+}
+
+void AnalyticEngine::refine(std::vector<VisibilityQuery>& queries) const {
+    std::vector<VisibilityQuery> mixed;
+    std::vector<std::size_t> places;
+    for (std::size_t q = 0; q < queries.size(); ++q) {
+        if (queries[q].clear == 0 || queries[q].clear == queries[q].taken) continue;
+        mixed.push_back(queries[q]);
+        mixed.back().first = queries[q].count;
+        mixed.back().count = (penumbra_effort - 1) * queries[q].count;
+        places.push_back(q);
+    }
+    visibility_.measure(mixed);
+    for (std::size_t m = 0; m < mixed.size(); ++m) queries[places[m]] = mixed[m];
+}
+
+void AnalyticEngine::row(PatchIndex i, FactorRow& row) const {
+    row.clear();
+    const double area = mesh_.patches[i].area;
+    for (PatchIndex j = i + 1; j < mesh_.size(); ++j) {
+        const double exchange = exchange_(i, j);
+        if (exchange > 0.0) row.add(j, exchange / area, 0.0, exchange / area);
+    }
+    std::vector<VisibilityQuery> queries = first_queries(row.factors, row.columns, i);
+    if (queries.empty()) return;
+    visibility_.measure(queries);
+    refine(queries);
+    std::size_t kept = 0, q = 0;
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        double share = 1.0, variance = 0.0;
+        if (q < queries.size() && queries[q].j == row.columns[k]) {
+            if (queries[q].taken > 0) share = queries[q].visibility();
+            variance = queries[q].variance();
+            row.rays += static_cast<std::uint64_t>(queries[q].taken);
+            ++q;
+        }
+        if (share == 0.0) continue;
+        const double whole = row.factors[k];
+        row.columns[kept] = row.columns[k];
+        row.factors[kept] = whole * share;
+        row.variance[kept] = whole * whole * variance;
+        row.ceiling[kept++] = whole;
+    }
+    row.columns.resize(kept);
+    row.factors.resize(kept);
+    row.variance.resize(kept);
+    row.ceiling.resize(kept);
+}
+
+Outside AnalyticEngine::outside(PatchIndex i) const {
+    if (mesh_.patches[i].covered) return {1.0, 0.0, 0};
+    RayBatch batch;
+    LandingBatch landings;
+    int backs = 0, escaped = 0;
+    for (int first = 0; first < outside_rays_.count(); first += ray_batch) {
+        const int count = outside_rays_.fill(i, first, batch);
+        ray_scene_.land(batch, count, landings);
+        for (int k = 0; k < count; ++k) {
+            backs += landings.landing[k] == Landing::back;
+            escaped += landings.landing[k] == Landing::escaped;
+        }
+    }
+    const double n = outside_rays_.count();
+    return {backs / n, escaped / n, static_cast<std::uint64_t>(outside_rays_.count())};
+}
+
+}  // namespace patchlight

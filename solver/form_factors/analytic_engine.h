@@ -1,0 +1,44 @@
+#pragma once
+
+#include "solver/form_factors/blocker_table.h"
+#include "solver/form_factors/form_factor_engine.h"
+#include "solver/form_factors/pair_visibility.h"
+#include "solver/form_factors/unoccluded_exchange.h"
+
+namespace patchlight {
+
+struct AnalyticSettings {
+    int rays = 1024;  // per patch, shared among the pairs that something may block, by their factor
+    int outside_rays =
+        256;  // per patch, to tell backs from escapes; 4 times as many: half the noise
+    std::uint64_t seed = 1;
+};
+
+/// Form factors by closed forms and quadrature (to about 3e-7) times visibility, which rays measure
+/// for the pairs that something may block, and for those alone: exact where nothing blocks.
+/// Rays belong to the unordered pair, so A_i F_ij = A_j F_ji.
+class AnalyticEngine final : public FormFactorEngine {
+  public:
+    AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const RayScene& ray_scene,
+                   const AnalyticSettings& settings);
+
+    bool pairwise() const override { return true; }
+    void row(PatchIndex i, FactorRow& row) const override;
+    Outside outside(PatchIndex i) const override;
+
+  private:
+    std::vector<VisibilityQuery> first_queries(const std::vector<double>& factors,
+                                               const std::vector<PatchIndex>& columns,
+                                               PatchIndex i) const;
+    void refine(std::vector<VisibilityQuery>& queries) const;
+
+    const PatchMesh& mesh_;
+    const RayScene& ray_scene_;
+    AnalyticSettings settings_;
+    UnoccludedExchange exchange_;
+    BlockerTable blockers_;
+    HemisphereRays outside_rays_;
+    PairVisibility visibility_;
+};
+
+}  // namespace patchlight

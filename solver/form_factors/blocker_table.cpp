@@ -1,0 +1,121 @@
+#include "solver/form_factors/blocker_table.h"
+
+#include "solver/form_factors/patch_clusters.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double most_work =
+    3e9;  // tests of a blocker against a pair, beyond which rays are cheaper
+constexpr double in_plane = 1e-9;  // of the scene's size: touching a plane is not crossing it [1]
+
+struct Interval {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    void add(double x) {
+        low = std::min(low, x);
+        high = std::max(high, x);
+    }
+};
+
+Interval along(std::span<const Vec3> points, const Vec3& direction) {
+    Interval interval;
+    for (const Vec3& p : points) interval.add(p.dot(direction));
+    return interval;
+}
+
+bool apart(const Interval& hull_a, const Interval& hull_b, const Interval& blocker, double slack) {
+    return blocker.low > std::max(hull_a.high, hull_b.high) - slack ||
+           blocker.high < std::min(hull_a.low, hull_b.low) + slack;
+}
+
+struct Tester {
+    const Scene& scene;
+    double slack;
+
+    bool can_block(const Surface& blocker, std::span<const Vec3> a, const Surface& plane_a,
+                   std::span<const Vec3> b, const Surface& plane_b) const {
+        const double level = blocker.corners[0].dot(blocker.normal);
+        const Interval side_a = along(a, blocker.normal), side_b = along(b, blocker.normal);
+        if (std::max(side_a.high, side_b.high) <= level + slack ||
+            std::min(side_a.low, side_b.low) >= level - slack)
+            return false;
+        const std::span<const Vec3> corners(blocker.corners);
+        if (along(corners, plane_a.normal).high <= plane_a.corners[0].dot(plane_a.normal) + slack)
+            return false;
+        if (along(corners, plane_b.normal).high <= plane_b.corners[0].dot(plane_b.normal) + slack)
+            return false;
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 unit = Vec3::Unit(axis);
+            if (apart(along(a, unit), along(b, unit), along(corners, unit), slack)) return false;
+        }
+        return !parted_sideways(corners, a, b);
+    }
+
+    /// Planes along the line between the two centres, in eight directions round it.
+    bool parted_sideways(std::span<const Vec3> corners, std::span<const Vec3> a,
+                         std::span<const Vec3> b) const {
+        Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+        for (const Vec3& p : a) from += p / static_cast<double>(a.size());
+        for (const Vec3& p : b) to += p / static_cast<double>(b.size());
+        if (!((to - from).norm() > slack)) return false;
+        const PlaneFrame frame = frame_of(from, (to - from).normalized());
+        constexpr double s = 0.38268343236508977, c = 0.92387953251128674;  // sine, cosine of 22.5°
+        for (const auto& [x, y] :
+             {std::pair(1.0, 0.0), {c, s}, {c, c}, {s, c}, {0.0, 1.0}, {-s, c}, {-c, c}, {-c, s}}) {
+            const Vec3 direction = (x * frame.u + y * frame.v).normalized();
+            if (apart(along(a, direction), along(b, direction), along(corners, direction), slack))
+                return true;
+        }
+        return false;
+    }
+};
+
+}  // namespace
+
+BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh) {
+    const PatchClusters clusters = make_clusters(scene, mesh);
+    cluster_ = clusters.of_patch;
+    const std::size_t n = clusters.surface.size(), surfaces = scene.surfaces.size();
+    const double pairs = static_cast<double>(surfaces) * static_cast<double>(surfaces);
+    if (pairs * static_cast<double>(surfaces) > most_work ||
+        static_cast<double>(n) * static_cast<double>(n) * 4.0 > most_work) {
+        always_ = true;
+        return;
+    }
+    const Tester tester{scene, in_plane * scene_size(scene)};
+    // Blockers of surface pairs first: cluster pairs look at those alone.
+    std::vector<std::vector<SurfaceIndex>> blockers(surfaces * surfaces);
+    tbb::parallel_for(std::size_t{0}, surfaces, [&](std::size_t s) {
+        for (std::size_t t = s + 1; t < surfaces; ++t)
+            for (SurfaceIndex k = 0; k < surfaces; ++k) {
+                const Surface &a = scene.surfaces[s], &b = scene.surfaces[t];
+                if (k != s && k != t &&
+                    tester.can_block(scene.surfaces[k], a.corners, a, b.corners, b))
+                    blockers[s * surfaces + t].push_back(k);
+            }
+    });
+    words_ = (n + 63) / 64;
+    bits_.assign(n * words_, 0);
+    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t c) {
+        for (std::size_t d = 0; d < n; ++d) {
+            const auto [first, second] = std::minmax(c, d);
+            const SurfaceIndex s = clusters.surface[first], t = clusters.surface[second];
+            if (s == t) continue;
+            for (const SurfaceIndex k : blockers[s * surfaces + t])
+                if (tester.can_block(scene.surfaces[k], clusters.points(first), scene.surfaces[s],
+                                     clusters.points(second), scene.surfaces[t])) {
+                    bits_[c * words_ + d / 64] |= std::uint64_t{1} << (d % 64);
+                    break;
+                }
+        }
+    });
+}
+
+}  // namespace patchlight

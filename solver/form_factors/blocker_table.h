@@ -1,0 +1,30 @@
+#pragma once
+
+#include "solver/mesh/patch_mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace patchlight {
+
+/// Tells which pairs of patches nothing can stand between, without a ray. Patches are grouped into
+/// small clusters of one surface; for two clusters a surface may block unless both lie on one side
+/// of its plane, or it lies behind either of theirs, or a plane parts it from their convex hull.
+/// Conservative: "may block" can be wrong, "cannot" never is.
+class BlockerTable {
+  public:
+    BlockerTable(const Scene& scene, const PatchMesh& mesh);
+
+    bool may_block(PatchIndex i, PatchIndex j) const {
+        if (always_) return true;
+        return (bits_[cluster_[i] * words_ + cluster_[j] / 64] >> (cluster_[j] % 64)) & 1u;
+    }
+
+  private:
+    bool always_ = false;                 // too many surfaces for a table: rays must tell
+    std::vector<std::uint32_t> cluster_;  // of each patch
+    std::size_t words_ = 0;
+    std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace patchlight

@@ -1,0 +1,147 @@
+#include "solver/form_factors/exchange_matrix.h"
+
+#include "solver/form_factors/join_halves.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace patchlight {
+
+namespace {
+
+constexpr std::size_t rows_per_chunk = 64;  // between two words to the observer
+constexpr double exact_closure =
+    1e-6;  // a row of exact entries that sums to 1 this well sees nothing else [1]
+
+void append(ExchangeMatrix& matrix, PatchIndex i, const FactorRow& row) {
+    const double area = matrix.area[i];
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        matrix.column.push_back(row.columns[k]);
+        matrix.exchange.push_back(static_cast<float>(area * row.factors[k]));
+        matrix.variance.push_back(static_cast<float>(area * area * row.variance[k]));
+        matrix.ceiling.push_back(static_cast<float>(area * row.ceiling[k]));
+    }
+    matrix.start.push_back(matrix.column.size());
+    matrix.rays += row.rays;
+}
+
+std::vector<double> row_sums(const ExchangeMatrix& matrix) {
+    std::vector<double> sums(matrix.size(), 0.0);
+    for (PatchIndex i = 0; i < matrix.size(); ++i)
+        for (std::size_t k = matrix.start[i]; k < matrix.start[i + 1]; ++k) {
+            sums[i] += static_cast<double>(matrix.exchange[k]);
+            sums[matrix.column[k]] += static_cast<double>(matrix.exchange[k]);
+        }
+    for (PatchIndex i = 0; i < matrix.size(); ++i) sums[i] /= matrix.area[i];
+    return sums;
+}
+
+/// Rows that have an entry which is not exact.
+std::vector<bool> uncertain_rows(const ExchangeMatrix& matrix) {
+    std::vector<bool> uncertain(matrix.size(), false);
+    for (PatchIndex i = 0; i < matrix.size(); ++i)
+        for (std::size_t k = matrix.start[i]; k < matrix.start[i + 1]; ++k)
+            if (matrix.variance[k] > 0.0f) uncertain[i] = uncertain[matrix.column[k]] = true;
+    return uncertain;
+}
+
+/// Variances of backs and escaped: binomial, but the scene's own share stands in for one ray more,
+/// so that a patch none of whose rays left is certain of it only where none of the scene's did.
+void set_outside_variance(ExchangeMatrix& matrix, const std::vector<Outside>& outside) {
+    double backs = 0.0, escaped = 0.0, rays = 0.0;
+    for (const Outside& o : outside) {
+        backs += o.backs * static_cast<double>(o.rays);
+        escaped += o.escaped * static_cast<double>(o.rays);
+        rays += static_cast<double>(o.rays);
+    }
+    const auto variance = [](double share, double n, double scene_share) {
+        const double p = (share * n + scene_share) / (n + 1.0);
+        return p * (1.0 - p) / n;
+    };
+    for (std::size_t i = 0; i < outside.size(); ++i) {
+        const double n = static_cast<double>(outside[i].rays);
+        matrix.backs.push_back(outside[i].backs);
+        matrix.escaped.push_back(outside[i].escaped);
+        matrix.backs_variance.push_back(n > 0.0 ? variance(outside[i].backs, n, backs / rays)
+                                                : 0.0);
+        matrix.escaped_variance.push_back(n > 0.0 ? variance(outside[i].escaped, n, escaped / rays)
+                                                  : 0.0);
+    }
+}
+
+bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
+                std::vector<std::optional<Outside>>& outside, const FractionObserver& observe) {
+    const std::size_t n = matrix.size();
+    std::vector<FactorRow> rows(rows_per_chunk);
+    for (std::size_t first = 0; first < n; first += rows_per_chunk) {
+        const std::size_t count = std::min(rows_per_chunk, n - first);
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+            engine.row(static_cast<PatchIndex>(first + k), rows[k]);
+        });
+        for (std::size_t k = 0; k < count; ++k) {
+            append(matrix, static_cast<PatchIndex>(first + k), rows[k]);
+            outside[first + k] = rows[k].outside;
+        }
+        const double done = static_cast<double>(first + count) / static_cast<double>(n);
+        if (!observe(engine.pairwise() ? 1.0 - (1.0 - done) * (1.0 - done) : done)) {
+            matrix.complete = false;
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+ExchangeMatrix build_exchange(const FormFactorEngine& engine, const PatchMesh& mesh,
+                              const FractionObserver& observe) {
+    ExchangeMatrix matrix;
+    double total = 0.0;
+    for (const Patch& patch : mesh.patches) total += patch.area;
+    matrix.unit = total / static_cast<double>(mesh.size());
+    for (const Patch& patch : mesh.patches) matrix.area.push_back(patch.area / matrix.unit);
+    matrix.start.push_back(0);
+    std::vector<std::optional<Outside>> known(mesh.size());
+    if (!build_rows(engine, matrix, known, observe)) return matrix;
+    if (!engine.pairwise()) {
+        matrix.measured = measure_rows(matrix, known);
+        join_halves(matrix);
+    }
+    std::vector<Outside> outside(mesh.size());
+    const std::vector<double> sums = row_sums(matrix);
+    const std::vector<bool> uncertain = uncertain_rows(matrix);
+    tbb::parallel_for(std::size_t{0}, mesh.size(), [&](std::size_t i) {
+        if (known[i])
+            outside[i] = *known[i];
+        else if (uncertain[i] ||
+                 std::abs(1.0 - sums[i]) > exact_closure)  // else: no ray where nothing blocks
+            outside[i] = engine.outside(static_cast<PatchIndex>(i));
+    });
+    set_outside_variance(matrix, outside);
+    for (std::size_t i = 0; i < mesh.size(); ++i)
+        if (!known[i]) matrix.rays += outside[i].rays;
+    if (engine.pairwise()) matrix.measured = measure_closure(matrix);
+    return matrix;
+}
+
+ClosureReport measure_closure(const ExchangeMatrix& matrix) {
+    ClosureReport report;
+    report.row_sum_min = std::numeric_limits<double>::infinity();
+    const std::vector<double> sums = row_sums(matrix);
+    double total = 0.0;
+    for (PatchIndex i = 0; i < matrix.size(); ++i) {
+        report.row_sum_min = std::min(report.row_sum_min, sums[i]);
+        report.row_sum_max = std::max(report.row_sum_max, sums[i]);
+        report.row_sum_mean += sums[i] * matrix.area[i];
+        report.closure_max = std::max(
+            report.closure_max, std::abs(sums[i] + matrix.backs[i] + matrix.escaped[i] - 1.0));
+        total += matrix.area[i];
+    }
+    report.row_sum_mean /= total;
+    return report;
+}
+
+}  // namespace patchlight

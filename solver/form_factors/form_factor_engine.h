@@ -1,0 +1,61 @@
+#pragma once
+
+#include "solver/mesh/patch_mesh.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace patchlight {
+
+/// Light of patch i that meets no front: row_sum + backs + escaped = 1.
+struct Outside {
+    double backs = 0.0;      // lands on backs of one-sided surfaces [1]
+    double escaped = 0.0;    // leaves the scene [1]
+    std::uint64_t rays = 0;  // that told the two shares; 0: not sampled
+};
+
+/// Row i of the form-factor matrix: its non-zero entries, ascending by column.
+struct FactorRow {
+    std::vector<PatchIndex> columns;
+    std::vector<double>
+        factors;  // F_ij, share of the light leaving i that arrives directly at j [1]
+    std::vector<double> variance;    // of F_ij; 0: exact [1]
+    std::vector<double> ceiling;     // F_ij with nothing between, or the most it can be [1]
+    std::optional<Outside> outside;  // if it came with the row
+    std::uint64_t rays = 0;          // cast for this row
+
+    void clear() {
+        columns.clear();
+        factors.clear();
+        variance.clear();
+        ceiling.clear();
+        outside.reset();
+        rays = 0;
+    }
+    void add(PatchIndex j, double factor, double factor_variance, double most) {
+        columns.push_back(j);
+        factors.push_back(factor);
+        variance.push_back(factor_variance);
+        ceiling.push_back(most);
+    }
+};
+
+/// Computes form factors between patches. Const and without hidden state: rows may be asked for in
+/// any order and from several threads, and are the same bytes each time.
+class FormFactorEngine {
+  public:
+    virtual ~FormFactorEngine() = default;
+
+    /// Whether an entry is computed once for the unordered pair, so that A_i F_ij = A_j F_ji. Then
+    /// row(i) holds only the columns j > i.
+    virtual bool pairwise() const = 0;
+
+    /// Row i. Throws nothing; a covered patch has an empty row.
+    virtual void row(PatchIndex i, FactorRow& row) const = 0;
+
+    /// Where the light of patch i that meets no front goes; asked for where a row does not say.
+    virtual Outside outside(PatchIndex i) const = 0;
+};
+
+}  // namespace patchlight

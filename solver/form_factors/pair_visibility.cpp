@@ -1,0 +1,80 @@
+#include "solver/form_factors/pair_visibility.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace patchlight {
+
+struct PairVisibility::Packet {
+    RayBatch segments;
+    std::array<float, ray_batch> weight;
+    std::array<std::uint32_t, ray_batch> query;
+    int size = 0;
+};
+
+double VisibilityQuery::variance() const {
+    const double n = taken;
+    const double share = (n * visibility() + 1.0) / (n + 2.0);
+    const double effective = std::min(n, static_cast<double>(weight) * static_cast<double>(weight) /
+                                             std::max(1e-30, static_cast<double>(weight_squared)));
+    return share * (1.0 - share) / (effective + 1.0);
+}
+
+PairVisibility::PairVisibility(const HemisphereRays& samplers, const RayScene& ray_scene,
+                               int most_samples, std::uint64_t seed)
+    : samplers_(samplers),
+      ray_scene_(ray_scene),
+      points_(static_cast<std::size_t>(most_samples)),
+      seed_(seed) {}
+
+void PairVisibility::trace(Packet& packet, std::vector<VisibilityQuery>& queries) const {
+    const std::uint32_t blocked = ray_scene_.blocked(packet.segments, packet.size);
+    for (int k = 0; k < packet.size; ++k) {
+        VisibilityQuery& query = queries[packet.query[k]];
+        const float weight = packet.weight[k];
+        query.weight += weight;
+        query.weight_squared += weight * weight;
+        ++query.taken;
+        if ((blocked >> k) & 1u) continue;
+        query.clear_weight += weight;
+        ++query.clear;
+    }
+    packet.size = 0;
+}
+
+void PairVisibility::measure(std::vector<VisibilityQuery>& queries) const {
+    Packet packet;
+    for (std::uint32_t q = 0; q < queries.size(); ++q) {
+        const VisibilityQuery& query = queries[q];
+        const PatchIndex low = std::min(query.i, query.j), high = std::max(query.i, query.j);
+        const std::uint64_t a = mix(seed_, (std::uint64_t{low} << 32) | high), b = mix(a, 1);
+        const std::array<std::uint32_t, 4> seeds{
+            static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32),
+            static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(b >> 32)};
+        const PatchSampler &from = samplers_.sampler(low), &to = samplers_.sampler(high);
+        const RayPoint above_from = samplers_.lift(low) * from.normal,
+                       above_to = samplers_.lift(high) * to.normal;
+        for (int n = query.first; n < query.first + query.count; ++n) {
+            const auto u = [&](std::size_t d) {
+                return points_.at(d, static_cast<std::size_t>(n), seeds[d]);
+            };
+            const RayPoint x = from.at(u(0), u(1)) + above_from, y = to.at(u(2), u(3)) + above_to;
+            const RayPoint ray = y - x;
+            const float squared = ray.squaredNorm();
+            const float weight = std::max(0.0f, ray.dot(from.normal)) *
+                                 std::max(0.0f, -ray.dot(to.normal)) / (squared * squared);
+            if (!(weight > 0.0f)) continue;
+            const auto k = static_cast<std::size_t>(packet.size++);
+            packet.segments.ox[k] = x.x(), packet.segments.oy[k] = x.y(),
+            packet.segments.oz[k] = x.z();
+            packet.segments.dx[k] = ray.x(), packet.segments.dy[k] = ray.y(),
+            packet.segments.dz[k] = ray.z();
+            packet.weight[k] = weight;
+            packet.query[k] = q;
+            if (packet.size == ray_batch) trace(packet, queries);
+        }
+    }
+    if (packet.size > 0) trace(packet, queries);
+}
+
+}  // namespace patchlight

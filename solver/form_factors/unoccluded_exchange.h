@@ -1,0 +1,34 @@
+#pragma once
+
+#include "solver/form_factors/convex_polygon.h"
+#include "solver/form_factors/patch_points.h"
+#include "solver/mesh/patch_mesh.h"
+
+#include <vector>
+
+namespace patchlight {
+
+/// A_i F_ij of patches with nothing between them, to about 3e-7: products of Gauss rules when far
+/// apart for their size, the contour integral when near, both clipped at each other's planes first.
+class UnoccludedExchange {
+  public:
+    UnoccludedExchange(const Scene& scene, const PatchMesh& mesh);
+
+    /// 0, exactly, for patches of one surface, coplanar ones and those facing away [m²].
+    double operator()(PatchIndex i, PatchIndex j) const;
+
+  private:
+    enum class Place : unsigned char { behind, cut, in_front };
+    Place place(PatchIndex i, SurfaceIndex of) const;
+    double clipped(PatchIndex i, PatchIndex j) const;
+
+    const Scene& scene_;
+    const PatchMesh& mesh_;
+    double flat_;  // heights up to this are in the plane [m]
+    std::vector<ConvexPolygon> polygons_;
+    std::vector<double> radius_;        // of patches about their centres [m]
+    std::vector<Place> surface_place_;  // of surface s before surface t, at s * surfaces + t
+    PatchPoints points2_, points3_, points4_;
+};
+
+}  // namespace patchlight

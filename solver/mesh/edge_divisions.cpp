@@ -1,0 +1,139 @@
+#include "solver/mesh/edge_divisions.h"
+
+#include "solver/mesh/grid_shape.h"
+#include "solver/mesh/welder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double same_corner = 1e-9;    // of the scene's size: closer corners are one vertex [1]
+constexpr double largest_aspect = 8.0;  // length over width that slivers are cut down to [1]
+constexpr int most_parts_for_aspect = 256;  // a needle is not cut finer than this for its shape
+constexpr double rounding = 1e-9;           // 10 parts of 0.1 fit an edge of 1
+
+int parts_for(double length, double longest) {
+    return std::max(1, static_cast<int>(std::ceil(length / longest - rounding)));
+}
+
+/// Parts an edge needs so that patches `width` across are no slivers.
+int parts_for_aspect(double length, double width) {
+    if (!(width > 0.0)) return 1;
+    return std::min(parts_for(length, largest_aspect * width), most_parts_for_aspect);
+}
+
+struct Chords {  // edges that must have one count (union-find)
+    std::vector<std::uint32_t> parent;
+    explicit Chords(std::size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0u); }
+    std::uint32_t root(std::uint32_t e) {
+        while (parent[e] != e) e = parent[e] = parent[parent[e]];
+        return e;
+    }
+    void tie(std::uint32_t a, std::uint32_t b) {
+        parent[std::max(root(a), root(b))] = std::min(root(a), root(b));
+    }
+};
+
+}  // namespace
+
+EdgeDivisions::EdgeDivisions(const Scene& scene, const std::vector<bool>& gridded,
+                             double patch_size) {
+    weld(scene);
+    find_edges(scene);
+    count_parts(scene, gridded, patch_size);
+    first_inner_.resize(ends_.size());
+    vertex_count_ = positions_.size();
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+        first_inner_[e] = static_cast<VertexIndex>(vertex_count_);
+        vertex_count_ += static_cast<std::size_t>(parts_[e] - 1);
+    }
+}
+
+void EdgeDivisions::weld(const Scene& scene) {
+    Welder welder(same_corner * scene_size(scene));
+    for (const Surface& surface : scene.surfaces) {
+        first_corner_.push_back(corners_.size());
+        for (const Vec3& p : surface.corners) corners_.push_back(welder.add(p));
+    }
+    first_corner_.push_back(corners_.size());
+    positions_ = welder.take_points();
+}
+
+void EdgeDivisions::find_edges(const Scene& scene) {
+    std::unordered_map<std::uint64_t, std::uint32_t> known;
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        const std::size_t n = scene.surfaces[s].corners.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const VertexIndex a = corner(s, k), b = corner(s, (k + 1) % n);
+            const auto [lo, hi] = std::minmax(a, b);
+            const auto [at, fresh] = known.try_emplace((std::uint64_t{lo} << 32) | hi,
+                                                       static_cast<std::uint32_t>(ends_.size()));
+            if (fresh) ends_.emplace_back(lo, hi);
+            edges_.push_back(at->second);
+        }
+    }
+}
+
+void EdgeDivisions::count_parts(const Scene& scene, const std::vector<bool>& gridded,
+                                double patch_size) {
+    Chords chords(ends_.size());
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+        if (gridded[s])
+            for (std::size_t k = 0; k < 2; ++k)
+                chords.tie(edges_[first_corner_[s] + k], edges_[first_corner_[s] + k + 2]);
+    std::vector<double> longest(ends_.size(), 0.0);  // edge of each chord [m]
+    std::vector<int> parts(ends_.size(), 1);
+    for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+        const double length = (positions_[ends_[e].first] - positions_[ends_[e].second]).norm();
+        const std::uint32_t root = chords.root(e);
+        longest[root] = std::max(longest[root], length);
+        parts[root] = std::max(parts[root], parts_for(length, patch_size));
+    }
+    const auto raise = [&](std::uint32_t root, double width) {
+        parts[root] = std::max(parts[root], parts_for_aspect(longest[root], width));
+    };
+    for (int pass = 0; pass < 3; ++pass)  // a finer chord makes narrower cells beside it
+        for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+            const std::size_t first = first_corner_[s], n = first_corner_[s + 1] - first;
+            if (gridded[s]) {
+                const std::uint32_t u = chords.root(edges_[first]),
+                                    v = chords.root(edges_[first + 1]);
+                raise(u, longest[v] / parts[v]);
+                raise(v, longest[u] / parts[u]);
+            } else {
+                const double width = width_of(scene.surfaces[s]);
+                for (std::size_t k = 0; k < n; ++k) raise(chords.root(edges_[first + k]), width);
+            }
+        }
+    parts_.resize(ends_.size());
+    for (std::uint32_t e = 0; e < ends_.size(); ++e) parts_[e] = parts[chords.root(e)];
+}
+
+std::vector<VertexIndex> EdgeDivisions::points(SurfaceIndex s, std::size_t k) const {
+    const std::uint32_t e = edges_[first_corner_[s] + k];
+    std::vector<VertexIndex> points{ends_[e].first};
+    for (int i = 0; i < parts_[e] - 1; ++i)
+        points.push_back(first_inner_[e] + static_cast<VertexIndex>(i));
+    points.push_back(ends_[e].second);
+    if (corner(s, k) != ends_[e].first) std::reverse(points.begin(), points.end());
+    return points;
+}
+
+std::vector<Vec3> EdgeDivisions::vertices() const {
+    std::vector<Vec3> vertices = positions_;
+    vertices.resize(vertex_count_);
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+        const Vec3 &a = positions_[ends_[e].first], &b = positions_[ends_[e].second];
+        for (int i = 1; i < parts_[e]; ++i)
+            vertices[first_inner_[e] + static_cast<VertexIndex>(i - 1)] =
+                a + (b - a) * (static_cast<double>(i) / parts_[e]);
+    }
+    return vertices;
+}
+
+}  // namespace patchlight

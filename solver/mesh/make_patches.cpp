@@ -1,0 +1,175 @@
+#include "solver/mesh/make_patches.h"
+
+#include "solver/mesh/edge_divisions.h"
+#include "solver/mesh/grid_shape.h"
+#include "solver/mesh/polygon_mesher.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double default_patch_count = 2000.0;
+
+struct Mesher {
+    const Scene& scene;
+    const CoplanarOverlaps& overlaps;
+    const EdgeDivisions& divisions;
+    PatchMesh mesh;
+
+    void add_patch(SurfaceIndex s, const std::array<VertexIndex, 4>& vertices) {
+        Patch patch;
+        patch.vertices = vertices;
+        patch.surface = s;
+        std::array<Vec3, 4> corners;
+        for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.vertices[vertices[k]];
+        const std::span<const Vec3> ring(corners.data(), patch.corner_count());
+        const Vec3& normal = scene.surfaces[s].normal;
+        patch.area = vector_area(ring).dot(normal);
+        patch.centre = centroid(ring, normal);
+        mesh.patches.push_back(patch);
+    }
+
+    /// A grid between edges 0-1 and 3-2 (nu parts) and 0-3 and 1-2 (nv parts), bilinear inside.
+    void add_grid(SurfaceIndex s) {
+        const auto bottom = divisions.points(s, 0), right = divisions.points(s, 1);
+        auto top = divisions.points(s, 2), left = divisions.points(s, 3);
+        std::reverse(top.begin(), top.end());
+        std::reverse(left.begin(), left.end());
+        const std::size_t nu = bottom.size() - 1, nv = right.size() - 1;
+        mesh.grid.back() = {static_cast<std::uint32_t>(nu), static_cast<std::uint32_t>(nv)};
+        std::vector<VertexIndex> grid((nu + 1) * (nv + 1));
+        for (std::size_t j = 0; j <= nv; ++j)
+            for (std::size_t i = 0; i <= nu; ++i) {
+                VertexIndex& vertex = grid[j * (nu + 1) + i];
+                if (j == 0)
+                    vertex = bottom[i];
+                else if (j == nv)
+                    vertex = top[i];
+                else if (i == 0)
+                    vertex = left[j];
+                else if (i == nu)
+                    vertex = right[j];
+                else {
+                    const double u = static_cast<double>(i) / static_cast<double>(nu);
+                    const Vec3 p = mesh.vertices[left[j]], q = mesh.vertices[right[j]];
+                    vertex = static_cast<VertexIndex>(mesh.vertices.size());
+                    mesh.vertices.push_back(p + (q - p) * u);
+                }
+            }
+        for (std::size_t j = 0; j < nv; ++j)
+            for (std::size_t i = 0; i < nu; ++i) {
+                const std::size_t at = j * (nu + 1) + i;
+                add_patch(s, {grid[at], grid[at + 1], grid[at + nu + 2], grid[at + nu + 1]});
+            }
+    }
+
+    void add_polygon_patches(SurfaceIndex s) {
+        const Surface& surface = scene.surfaces[s];
+        const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
+        PolygonOutline outline;
+        std::vector<VertexIndex> number;  // of the mesher's points in the mesh
+        for (std::size_t k = 0; k < surface.corners.size(); ++k) {
+            outline.corners.push_back(frame.flat(surface.corners[k]));
+            number.push_back(divisions.corner(s, k));
+        }
+        for (std::size_t k = 0; k < surface.corners.size(); ++k) {
+            outline.divisions.emplace_back();
+            const std::vector<VertexIndex> points = divisions.points(s, k);
+            for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+                outline.divisions.back().push_back(frame.flat(mesh.vertices[points[i]]));
+                number.push_back(points[i]);
+            }
+        }
+        const std::vector<std::vector<Vec2>> creases = covers(s, frame);
+        const PolygonMesh flat = mesh_polygon(outline, creases, mesh.patch_size);
+        for (std::size_t p = number.size(); p < flat.points.size(); ++p) {
+            number.push_back(static_cast<VertexIndex>(mesh.vertices.size()));
+            mesh.vertices.push_back(frame.lift(flat.points[p]));
+        }
+        for (const auto& face : flat.faces)
+            add_patch(s, {number[face[0]], number[face[1]], number[face[2]], number[face[3]]});
+        for (PatchIndex i = mesh.first_of_surface.back(); i < mesh.size(); ++i)
+            for (const std::vector<Vec2>& cover : creases)
+                mesh.patches[i].covered |= contains(cover, frame.flat(mesh.patches[i].centre));
+    }
+
+    std::vector<std::vector<Vec2>> covers(SurfaceIndex s, const PlaneFrame& frame) const {
+        std::vector<std::vector<Vec2>> outlines;
+        for (const SurfaceIndex cover : overlaps.covered_by[s]) {
+            outlines.emplace_back();
+            for (const Vec3& p : scene.surfaces[cover].corners)
+                outlines.back().push_back(frame.flat(p));
+        }
+        return outlines;
+    }
+};
+
+std::vector<bool> gridded_surfaces(const Scene& scene, const CoplanarOverlaps& overlaps) {
+    std::vector<bool> gridded(scene.surfaces.size());
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+        gridded[s] = fits_a_grid(scene.surfaces[s]) && overlaps.covered_by[s].empty();
+    return gridded;
+}
+
+/// A triangle whose edges are short enough as they are: the common case in imported meshes.
+bool is_one_patch(const Surface& surface, const EdgeDivisions& divisions,
+                  const CoplanarOverlaps& overlaps, SurfaceIndex s) {
+    return surface.corners.size() == 3 && overlaps.covered_by[s].empty() &&
+           divisions.parts(s, 0) == 1 && divisions.parts(s, 1) == 1 && divisions.parts(s, 2) == 1;
+}
+
+}  // namespace
+
+double default_patch_size(const Scene& scene) {
+    double area = 0.0;
+    for (const Surface& surface : scene.surfaces) area += surface.area;
+    return std::sqrt(area / default_patch_count);
+}
+
+std::size_t estimate_patch_count(const Scene& scene, double patch_size) {
+    // Cells are whole: a surface of width w and length l takes about ceil(w/p) ceil(l/p) of them.
+    double count = 0.0;
+    for (const Surface& surface : scene.surfaces) {
+        const double width = std::max(width_of(surface), 1e-12 * std::sqrt(surface.area));
+        const double length = surface.area / width;
+        const double across = std::ceil(width / patch_size);
+        count += across * std::max(std::ceil(length / patch_size), 1.0);
+    }
+    return count < 9e18 ? static_cast<std::size_t>(count) : std::size_t{9'000'000'000'000'000'000u};
+}
+
+PatchMesh make_patches(const Scene& scene, const CoplanarOverlaps& overlaps, double patch_size) {
+    const std::vector<bool> gridded = gridded_surfaces(scene, overlaps);
+    const EdgeDivisions divisions(scene, gridded, patch_size);
+    Mesher mesher{scene, overlaps, divisions, {}};
+    mesher.mesh.vertices = divisions.vertices();
+    mesher.mesh.patch_size = patch_size;
+    mesher.mesh.first_of_surface.push_back(0);
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        mesher.mesh.grid.push_back({0, 0});
+        if (gridded[s])
+            mesher.add_grid(s);
+        else if (is_one_patch(scene.surfaces[s], divisions, overlaps, s))
+            mesher.add_patch(s, {divisions.corner(s, 0), divisions.corner(s, 1),
+                                 divisions.corner(s, 2), divisions.corner(s, 2)});
+        else
+            mesher.add_polygon_patches(s);
+        mesher.mesh.first_of_surface.push_back(static_cast<PatchIndex>(mesher.mesh.size()));
+    }
+    return std::move(mesher.mesh);
+}
+
+std::vector<Vec3> patch_corners(const PatchMesh& mesh, PatchIndex i) {
+    const Patch& patch = mesh.patches[i];
+    std::vector<Vec3> corners;
+    for (std::size_t k = 0; k < patch.corner_count(); ++k)
+        corners.push_back(mesh.vertices[patch.vertices[k]]);
+    return corners;
+}
+
+}  // namespace patchlight

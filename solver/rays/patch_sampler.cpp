@@ -1,0 +1,55 @@
+#include "solver/rays/patch_sampler.h"
+
+#include "solver/scene/polygon.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+constexpr double clear_of_edge = 4e-7;  // in ray space: several steps of float
+constexpr double largest_margin = 0.02;
+constexpr double parallelogram_misfit = 1e-6;  // of its size [1]
+}  // namespace
+
+PatchSampler make_sampler(const PatchMesh& mesh, PatchIndex i, const Vec3& normal,
+                          const RayScene& rays) {
+    const Patch& patch = mesh.patches[i];
+    std::array<Vec3, 4> p;
+    for (std::size_t k = 0; k < 4; ++k) p[k] = mesh.vertices[patch.vertices[k]];
+    PatchSampler sampler;
+    const Vec3 e1 = p[1] - p[0], e2 = p[2] - p[0], e3 = p[3] - p[0];
+    const double scale = rays.scale();
+    sampler.parallelogram =
+        !patch.is_triangle() && (e1 + e3 - e2).norm() <= parallelogram_misfit * e2.norm();
+    sampler.corner = rays.to_ray_space(p[0]);
+    sampler.first_edge = (e1 * scale).cast<float>();
+    sampler.second_edge = ((sampler.parallelogram ? e3 : e2) * scale).cast<float>();
+    sampler.third_edge = (e3 * scale).cast<float>();
+    const double first = e1.cross(e2).dot(normal), second = e2.cross(e3).dot(normal);
+    sampler.first_share = patch.is_triangle() ? 1.0f : static_cast<float>(first / (first + second));
+    const double width = patch.area / std::max({e1.norm(), e2.norm(), e3.norm()}) * scale;
+    sampler.margin = static_cast<float>(std::min(largest_margin, clear_of_edge / width));
+    const PlaneFrame frame = frame_of(Vec3::Zero(), normal);
+    sampler.tangent = frame.u.cast<float>();
+    sampler.bitangent = frame.v.cast<float>();
+    sampler.normal = normal.cast<float>();
+    return sampler;
+}
+
+RayPoint PatchSampler::at(float u, float v) const {
+    const auto inside = [&](float t) { return margin + (1.0f - 2.0f * margin) * t; };
+    v = inside(v);
+    if (parallelogram) return corner + inside(u) * first_edge + v * second_edge;
+    const bool in_first = u < first_share;
+    const float s = inside(in_first ? u / first_share : (u - first_share) / (1.0f - first_share));
+    const float root = std::sqrt(s);  // Turk, "Generating Random Points in Triangles", 1990
+    const RayPoint& near_edge = in_first ? first_edge : second_edge;
+    const RayPoint& far_edge = in_first ? second_edge : third_edge;
+    return corner + root * (1.0f - v) * near_edge + root * v * far_edge;
+}
+
+}  // namespace patchlight

@@ -1,0 +1,207 @@
+#include "solver/rays/ray_scene.h"
+
+#include <Eigen/Geometry>
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <string>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double contact_size = 1e-6;  // of the scene's size: closer surfaces touch [1]
+constexpr double lift_size = 3e-7;     // of the scene's size; floats in ray space step by 6e-8 [1]
+constexpr double lift_off_partner = 1.2;    // of the contact distance [1]
+constexpr float beyond_everything = 16.0f;  // ray space is 2 across
+
+}  // namespace
+
+struct RayScene::Device {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    Device() : device(rtcNewDevice("threads=0,set_affinity=0")) {
+        if (!device) throw std::bad_alloc();
+        rtcSetDeviceErrorFunction(device, &on_error, this);
+        scene = rtcNewScene(device);
+        if (!scene) throw std::bad_alloc();
+    }
+    ~Device() {
+        if (scene) rtcReleaseScene(scene);
+        rtcReleaseDevice(device);
+    }
+    static void on_error(void* self, RTCError code, const char*) {
+        static_cast<Device*>(self)->error = code;
+    }
+    RTCError error = RTC_ERROR_NONE;
+};
+
+RayScene::RayScene(const Scene& scene, const CoplanarOverlaps& overlaps)
+    : partners_(overlaps.partners), device_(std::make_unique<Device>()) {
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene.surfaces)
+        for (const Vec3& p : surface.corners) box.extend(p);
+    centre_ = box.center();
+    scale_ = 2.0 / box.sizes().maxCoeff();
+    contact_ = static_cast<float>(contact_size * box.diagonal().norm() * scale_);
+    find_lifts(scene, overlaps);
+    build(scene);
+}
+
+RayScene::~RayScene() = default;
+
+void RayScene::find_lifts(const Scene& scene, const CoplanarOverlaps& overlaps) {
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        const bool alone = !overlaps.any(s);
+        lift_.push_back(
+            static_cast<float>(contact_ * (alone ? lift_size / contact_size : lift_off_partner)));
+        normals_.push_back(scene.surfaces[s].normal.cast<float>());
+        outlines_.emplace_back();
+        if (alone) continue;
+        Outline& outline = outlines_.back();
+        outline.frame =
+            frame_of((scene.surfaces[s].corners[0] - centre_) * scale_, scene.surfaces[s].normal);
+        for (const Vec3& p : scene.surfaces[s].corners)
+            outline.corners.push_back(outline.frame.flat((p - centre_) * scale_));
+    }
+}
+
+void RayScene::build(const Scene& scene) {
+    std::vector<RayPoint> vertices;
+    std::vector<std::uint32_t> indices;
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        const Surface& surface = scene.surfaces[s];
+        const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
+        std::vector<Vec2> flat;
+        const auto first = static_cast<std::uint32_t>(vertices.size());
+        for (const Vec3& p : surface.corners) {
+            flat.push_back(frame.flat(p));
+            vertices.push_back(to_ray_space(p));
+        }
+        for (const auto& triangle : triangulate(flat)) {
+            for (const std::uint32_t corner : triangle) indices.push_back(first + corner);
+            surface_of_.push_back(s);
+        }
+    }
+    const RTCGeometry geometry = rtcNewGeometry(device_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertex_buffer = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof(float), vertices.size()));
+    auto* index_buffer = static_cast<std::uint32_t*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                3 * sizeof(std::uint32_t), surface_of_.size()));
+    if (!vertex_buffer || !index_buffer) throw std::bad_alloc();
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+        for (int axis = 0; axis < 3; ++axis)
+            vertex_buffer[3 * v + static_cast<std::size_t>(axis)] = vertices[v][axis];
+    std::copy(indices.begin(), indices.end(), index_buffer);
+    rtcSetGeometryMask(geometry, ~0u);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(device_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcSetSceneFlags(device_->scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(device_->scene, RTC_BUILD_QUALITY_HIGH);
+    rtcCommitScene(device_->scene);
+    if (device_->error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    if (device_->error != RTC_ERROR_NONE)
+        throw std::runtime_error("Embree could not build the scene: error " +
+                                 std::to_string(device_->error));
+}
+
+void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) const {
+    RTCRayHit16 query;
+    alignas(64) std::array<int, ray_batch> valid;
+    for (int k = 0; k < ray_batch; ++k) {
+        valid[k] = k < count ? -1 : 0;
+        query.ray.org_x[k] = rays.ox[k];
+        query.ray.org_y[k] = rays.oy[k];
+        query.ray.org_z[k] = rays.oz[k];
+        query.ray.dir_x[k] = rays.dx[k];
+        query.ray.dir_y[k] = rays.dy[k];
+        query.ray.dir_z[k] = rays.dz[k];
+        query.ray.tnear[k] = 0.0f;
+        query.ray.tfar[k] = beyond_everything;
+        query.ray.time[k] = 0.0f;
+        query.ray.mask[k] = ~0u;
+        query.ray.id[k] = 0;
+        query.ray.flags[k] = 0;
+        query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+        query.hit.primID[k] = RTC_INVALID_GEOMETRY_ID;
+    }
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect16(valid.data(), device_->scene, &query, nullptr);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect16(valid.data(), device_->scene, &context, &query);
+#endif
+    for (int k = 0; k < count; ++k) {
+        const std::uint32_t triangle = query.hit.primID[k];
+        if (query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) {
+            landings.landing[k] = Landing::escaped;
+            continue;
+        }
+        const SurfaceIndex s = surface_of_[triangle];
+        const float t = query.ray.tfar[k];
+        landings.surface[k] = s;
+        landings.x[k] = rays.ox[k] + t * rays.dx[k];
+        landings.y[k] = rays.oy[k] + t * rays.dy[k];
+        landings.z[k] = rays.oz[k] + t * rays.dz[k];
+        const RayPoint direction(rays.dx[k], rays.dy[k], rays.dz[k]);
+        landings.landing[k] = normals_[s].dot(direction) < 0.0f ? Landing::front : Landing::back;
+        if (!partners_[s].empty()) resolve_contact(landings, k, direction);
+    }
+}
+
+void RayScene::resolve_contact(LandingBatch& landings, int k, const RayPoint& direction) const {
+    const SurfaceIndex hit = landings.surface[k];
+    const Vec3 p(landings.x[k], landings.y[k], landings.z[k]);
+    bool found = landings.landing[k] == Landing::front;
+    for (const SurfaceIndex s : partners_[hit]) {  // ascending: the last one wins
+        if (normals_[s].dot(direction) >= 0.0f || (found && s < landings.surface[k])) continue;
+        if (!contains(outlines_[s].corners, outlines_[s].frame.flat(p))) continue;
+        landings.surface[k] = s;
+        landings.landing[k] = Landing::front;
+        found = true;
+    }
+}
+
+std::uint32_t RayScene::blocked(const RayBatch& segments, int count) const {
+    RTCRay16 query;
+    alignas(64) std::array<int, ray_batch> valid;
+    for (int k = 0; k < ray_batch; ++k) {
+        valid[k] = k < count ? -1 : 0;
+        query.org_x[k] = segments.ox[k];
+        query.org_y[k] = segments.oy[k];
+        query.org_z[k] = segments.oz[k];
+        query.dir_x[k] = segments.dx[k];
+        query.dir_y[k] = segments.dy[k];
+        query.dir_z[k] = segments.dz[k];
+        query.tnear[k] = 0.0f;
+        query.tfar[k] = 1.0f;
+        query.time[k] = 0.0f;
+        query.mask[k] = ~0u;
+        query.id[k] = 0;
+        query.flags[k] = 0;
+    }
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded16(valid.data(), device_->scene, &query, nullptr);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded16(valid.data(), device_->scene, &context, &query);
+#endif
+    std::uint32_t bits = 0;
+    for (int k = 0; k < count; ++k)
+        if (query.tfar[k] < 0.0f) bits |= 1u << k;
+    return bits;
+}
+
+}  // namespace patchlight

@@ -1,0 +1,121 @@
+#include "solver/scene/scene.h"
+
+#include "solver/scene/input_error.h"
+#include "solver/scene/polygon.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double planarity = 1e-6;    // of the polygon's size: beyond, it is cut [1]
+constexpr double least_area = 1e-13;  // of the polygon's size squared: below, it is dropped [1]
+constexpr double same_point = 1e-12;  // of the polygon's size [1]
+constexpr std::size_t most_corners = 4096;  // of one polygon
+
+double box_diagonal(std::span<const Vec3> points) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : points) box.extend(p);
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+void note(Scene& scene, const std::string& kind, ObjectIndex object, const std::string& detail,
+          const std::string& remedy) {
+    const std::string& name = scene.objects[object].name;
+    for (Finding& finding : scene.findings)
+        if (finding.kind == kind && finding.objects.front() == name) {
+            ++finding.count;
+            return;
+        }
+    scene.findings.push_back({kind, {name}, detail, remedy, 1});
+}
+
+std::vector<Vec3> without_repeats(std::span<const Vec3> corners, double size) {
+    std::vector<Vec3> kept;
+    for (const Vec3& p : corners)
+        if (kept.empty() || (p - kept.back()).norm() > same_point * size) kept.push_back(p);
+    while (kept.size() > 1 && (kept.front() - kept.back()).norm() <= same_point * size)
+        kept.pop_back();
+    return kept;
+}
+
+/// The prototype with these corners, and its reverse if the material is two-sided.
+void add_surface(Scene& scene, Surface surface, std::vector<Vec3> corners) {
+    const Vec3 area = vector_area(corners);
+    surface.area = area.norm();
+    surface.normal = area / surface.area;
+    surface.corners = std::move(corners);
+    scene.surfaces.push_back(surface);
+    if (!scene.materials[surface.material].two_sided) return;
+    std::reverse(surface.corners.begin(), surface.corners.end());
+    surface.normal = -surface.normal;
+    surface.side = Side::back;
+    scene.surfaces.push_back(std::move(surface));
+}
+
+bool is_planar(std::span<const Vec3> corners, const Vec3& normal, double size) {
+    Vec3 mean = Vec3::Zero();
+    for (const Vec3& p : corners) mean += p / static_cast<double>(corners.size());
+    return std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) {
+        return std::abs((p - mean).dot(normal)) <= planarity * size;
+    });
+}
+
+std::vector<std::array<std::uint32_t, 3>> cut(std::span<const Vec2> flat) {
+    if (flat.size() == 4 && turn(flat[0], flat[1], flat[2]) > 0 &&
+        turn(flat[0], flat[2], flat[3]) > 0)
+        return {{0, 1, 2}, {0, 2, 3}};
+    return triangulate(flat);
+}
+
+}  // namespace
+
+void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::uint32_t face,
+                 std::span<const Vec3> given, const std::string& pointer) {
+    if (given.size() > most_corners)
+        throw InputError(pointer, "has " + std::to_string(given.size()) + " corners; at most " +
+                                      std::to_string(most_corners) + " are allowed");
+    const double size = box_diagonal(given);
+    std::vector<Vec3> corners = without_repeats(given, size);
+    const Vec3 area = corners.size() < 3 ? Vec3(Vec3::Zero()) : vector_area(corners);
+    if (!(area.norm() > least_area * size * size)) {
+        note(scene, "degenerate-dropped", object, "a polygon without area was left out",
+             "remove it, or give it corners that span an area");
+        return;
+    }
+    Surface surface;
+    surface.material = material;
+    surface.object = object;
+    surface.face = face;
+    const Vec3 normal = area.normalized();
+    const PlaneFrame frame = frame_of(corners[0], normal);
+    std::vector<Vec2> flat;
+    for (const Vec3& p : corners) flat.push_back(frame.flat(p));
+    const auto triangles = cut(flat);
+    if (triangles.size() + 2 != corners.size() || crosses_itself(flat))
+        throw InputError(
+            pointer,
+            "the polygon touches or crosses itself; its corners must run once round its edge");
+    if (is_planar(corners, normal, size)) {
+        add_surface(scene, surface, std::move(corners));
+        return;
+    }
+    note(scene, "non-planar", object,
+         "a polygon off its plane by more than 1e-6 of its size was cut into triangles",
+         "give triangles, or corners that lie in one plane");
+    for (const auto& t : triangles)
+        add_surface(scene, surface, {corners[t[0]], corners[t[1]], corners[t[2]]});
+}
+
+double scene_size(const Scene& scene) {
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene.surfaces)
+        for (const Vec3& p : surface.corners) box.extend(p);
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+}  // namespace patchlight
