@@ -133,10 +133,10 @@ struct Solver {
     Solution solution;
     ExchangeMatrix exchange;
 
-    void cut_patches(const CoplanarOverlaps& overlaps) {
+    void cut_patches(const MeshLines& lines) {
         const SolveSettings& settings = solution.settings;
         check_memory(scene, estimate_patch_count(scene, *settings.patch_size), settings);
-        solution.mesh = make_patches(scene, overlaps, *settings.patch_size);
+        solution.mesh = make_patches(scene, lines, *settings.patch_size);
         check_memory(scene, solution.mesh.size(), settings);
         solution.radiosity = exitances(scene, solution.mesh);
         solution.irradiance.assign(solution.mesh.size(), Rgb::Zero());
@@ -213,12 +213,12 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     solver.solution.settings = plan.settings;
     solver.solution.why = std::move(plan.why);
     solver.solution.findings = scene.findings;
-    const CoplanarOverlaps overlaps = find_coplanar_overlaps(scene);
-    for (Finding& finding : overlap_findings(scene, overlaps))
+    const MeshLines lines = find_mesh_lines(scene);
+    for (Finding& finding : overlap_findings(scene, lines.overlaps))
         solver.solution.findings.push_back(std::move(finding));
     note_light(scene, solver.solution);
-    solver.cut_patches(overlaps);
-    const RayScene rays(scene, overlaps);
+    solver.cut_patches(lines);
+    const RayScene rays(scene, lines.overlaps);
     if (solver.find_form_factors(rays)) solver.solve();
     solver.show(rays);
     return std::move(solver.solution);

@@ -17,7 +17,7 @@ constexpr double default_patch_count = 2000.0;
 
 struct Mesher {
     const Scene& scene;
-    const CoplanarOverlaps& overlaps;
+    const MeshLines& lines;
     const EdgeDivisions& divisions;
     PatchMesh mesh;
 
@@ -85,8 +85,9 @@ struct Mesher {
                 number.push_back(points[i]);
             }
         }
-        const std::vector<std::vector<Vec2>> creases = covers(s, frame);
-        const PolygonMesh flat = mesh_polygon(outline, creases, mesh.patch_size);
+        const std::vector<std::vector<Vec2>> covers = covers_of(s, frame);
+        const PolygonMesh flat =
+            mesh_polygon(outline, creases_of(s, frame, covers), mesh.patch_size);
         for (std::size_t p = number.size(); p < flat.points.size(); ++p) {
             number.push_back(static_cast<VertexIndex>(mesh.vertices.size()));
             mesh.vertices.push_back(frame.lift(flat.points[p]));
@@ -94,33 +95,48 @@ struct Mesher {
         for (const auto& face : flat.faces)
             add_patch(s, {number[face[0]], number[face[1]], number[face[2]], number[face[3]]});
         for (PatchIndex i = mesh.first_of_surface.back(); i < mesh.size(); ++i)
-            for (const std::vector<Vec2>& cover : creases)
-                mesh.patches[i].covered |= contains(cover, frame.flat(mesh.patches[i].centre));
+            for (const std::vector<Vec2>& cover : covers)
+                if (contains(cover, frame.flat(mesh.patches[i].centre)))
+                    mesh.patches[i].covered = true;
     }
 
-    std::vector<std::vector<Vec2>> covers(SurfaceIndex s, const PlaneFrame& frame) const {
+    std::vector<std::vector<Vec2>> covers_of(SurfaceIndex s, const PlaneFrame& frame) const {
         std::vector<std::vector<Vec2>> outlines;
-        for (const SurfaceIndex cover : overlaps.covered_by[s]) {
+        for (const SurfaceIndex cover : lines.overlaps.covered_by[s]) {
             outlines.emplace_back();
             for (const Vec3& p : scene.surfaces[cover].corners)
                 outlines.back().push_back(frame.flat(p));
         }
         return outlines;
     }
+
+    std::vector<FlatSegment> creases_of(SurfaceIndex s, const PlaneFrame& frame,
+                                        const std::vector<std::vector<Vec2>>& covers) const {
+        std::vector<FlatSegment> creases;
+        for (const std::vector<Vec2>& cover : covers)
+            for (std::size_t k = 0; k < cover.size(); ++k)
+                creases.push_back({cover[k], cover[(k + 1) % cover.size()]});
+        for (const Segment& contact : lines.contacts[s])
+            creases.push_back({frame.flat(contact[0]), frame.flat(contact[1])});
+        return creases;
+    }
 };
 
-std::vector<bool> gridded_surfaces(const Scene& scene, const CoplanarOverlaps& overlaps) {
+bool is_plain(const MeshLines& lines, SurfaceIndex s) {
+    return lines.overlaps.covered_by[s].empty() && lines.contacts[s].empty();
+}
+
+std::vector<bool> gridded_surfaces(const Scene& scene, const MeshLines& lines) {
     std::vector<bool> gridded(scene.surfaces.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
-        gridded[s] = fits_a_grid(scene.surfaces[s]) && overlaps.covered_by[s].empty();
+        gridded[s] = fits_a_grid(scene.surfaces[s]) && is_plain(lines, s);
     return gridded;
 }
 
 /// A triangle whose edges are short enough as they are: the common case in imported meshes.
-bool is_one_patch(const Surface& surface, const EdgeDivisions& divisions,
-                  const CoplanarOverlaps& overlaps, SurfaceIndex s) {
-    return surface.corners.size() == 3 && overlaps.covered_by[s].empty() &&
-           divisions.parts(s, 0) == 1 && divisions.parts(s, 1) == 1 && divisions.parts(s, 2) == 1;
+bool is_one_patch(const Surface& surface, const EdgeDivisions& divisions, SurfaceIndex s) {
+    return surface.corners.size() == 3 && divisions.parts(s, 0) == 1 &&
+           divisions.parts(s, 1) == 1 && divisions.parts(s, 2) == 1;
 }
 
 }  // namespace
@@ -143,10 +159,14 @@ std::size_t estimate_patch_count(const Scene& scene, double patch_size) {
     return count < 9e18 ? static_cast<std::size_t>(count) : std::size_t{9'000'000'000'000'000'000u};
 }
 
-PatchMesh make_patches(const Scene& scene, const CoplanarOverlaps& overlaps, double patch_size) {
-    const std::vector<bool> gridded = gridded_surfaces(scene, overlaps);
+MeshLines find_mesh_lines(const Scene& scene) {
+    return {find_coplanar_overlaps(scene), find_contact_lines(scene)};
+}
+
+PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_size) {
+    const std::vector<bool> gridded = gridded_surfaces(scene, lines);
     const EdgeDivisions divisions(scene, gridded, patch_size);
-    Mesher mesher{scene, overlaps, divisions, {}};
+    Mesher mesher{scene, lines, divisions, {}};
     mesher.mesh.vertices = divisions.vertices();
     mesher.mesh.patch_size = patch_size;
     mesher.mesh.first_of_surface.push_back(0);
@@ -154,7 +174,7 @@ PatchMesh make_patches(const Scene& scene, const CoplanarOverlaps& overlaps, dou
         mesher.mesh.grid.push_back({0, 0});
         if (gridded[s])
             mesher.add_grid(s);
-        else if (is_one_patch(scene.surfaces[s], divisions, overlaps, s))
+        else if (is_plain(lines, s) && is_one_patch(scene.surfaces[s], divisions, s))
             mesher.add_patch(s, {divisions.corner(s, 0), divisions.corner(s, 1),
                                  divisions.corner(s, 2), divisions.corner(s, 2)});
         else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/mesh/patch_mesh.h"
+#include "solver/scene/contact_lines.h"
 #include "solver/scene/coplanar.h"
 
 namespace patchlight {
@@ -11,12 +12,20 @@ double default_patch_size(const Scene& scene);
 /// About how many patches `make_patches` will make; allocates nothing of their number.
 std::size_t estimate_patch_count(const Scene& scene, double patch_size);
 
+/// What the patches of a surface must respect.
+struct MeshLines {
+    CoplanarOverlaps overlaps;
+    std::vector<std::vector<Segment>> contacts;  // per surface
+};
+MeshLines find_mesh_lines(const Scene& scene);
+
 /// Cuts every surface into quads and triangles with no edge longer than `patch_size` [m].
 /// Vertices are shared: there are no T-vertices within a surface, nor along edges that two surfaces
 /// share whole. Areas of the patches of a surface sum to its own to rounding. Slivers are cut
 /// across to a length of about 8 widths, 256 parts at most. Outlines of coplanar polygons that
-/// cover a surface become edges of its patches, and what lies beneath is marked `covered`.
-PatchMesh make_patches(const Scene& scene, const CoplanarOverlaps& overlaps, double patch_size);
+/// cover a surface become edges of its patches, and what lies beneath is marked `covered`; so do
+/// lines along which other surfaces rest on it or pass through it.
+PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_size);
 
 /// Corners of a patch, 3 or 4 [m].
 std::vector<Vec3> patch_corners(const PatchMesh& mesh, PatchIndex i);

@@ -60,7 +60,6 @@ MergedFaces merge_triangles(const Triangulation& triangulation) {
         const auto last = static_cast<std::uint32_t>(v[2]);
         merged.faces.push_back(
             {static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1]), last, last});
-        merged.lone_triangles.push_back(t);
     }
     return merged;
 }

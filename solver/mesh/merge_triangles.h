@@ -10,7 +10,6 @@ namespace patchlight {
 
 struct MergedFaces {
     std::vector<std::array<std::uint32_t, 4>> faces;  // a triangle repeats its last vertex
-    std::vector<int> lone_triangles;                  // those that found no partner
 };
 
 /// Pairs triangles into convex quads, the most rectangular first; fixed edges stay.

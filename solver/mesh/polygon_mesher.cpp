@@ -16,11 +16,7 @@ namespace {
 constexpr double clearance = 0.5;  // of a cell, between its vertices and the boundary [1]
 constexpr int most_rounds = 24;    // of cutting edges that are still too long
 
-struct Segment {
-    Vec2 a, b;
-};
-
-double distance(const Segment& s, const Vec2& p) {
+double distance(const FlatSegment& s, const Vec2& p) {
     const Vec2 along = s.b - s.a;
     const double t = std::clamp((p - s.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
     return (s.a + t * along - p).norm();
@@ -56,7 +52,7 @@ Vec2 lattice_origin(const std::vector<Vec2>& corners, const Vec2& direction) {
 }
 
 void insert_lattice(Triangulation& triangulation, const std::vector<Vec2>& corners,
-                    const std::vector<Segment>& walls, double longest) {
+                    const std::vector<FlatSegment>& walls, double longest) {
     const Vec2 along = main_direction(corners);
     const Vec2 across(-along.y(), along.x());
     const Vec2 origin = lattice_origin(corners, along);
@@ -78,17 +74,18 @@ void insert_lattice(Triangulation& triangulation, const std::vector<Vec2>& corne
                            static_cast<double>(j) * cell.y() * across;
             if (!contains(corners, p)) continue;
             if (std::any_of(walls.begin(), walls.end(),
-                            [&](const Segment& s) { return distance(s, p) < least; }))
+                            [&](const FlatSegment& s) { return distance(s, p) < least; }))
                 continue;
             triangulation.insert(p);
         }
 }
 
 /// Where the segment meets the walls, as places along it in [0, 1], both ends among them.
-std::vector<double> breaks(const Segment& s, const std::vector<Segment>& walls, double longest) {
+std::vector<double> breaks(const FlatSegment& s, const std::vector<FlatSegment>& walls,
+                           double longest) {
     const Vec2 along = s.b - s.a;
     std::vector<double> places{0.0, 1.0};
-    for (const Segment& wall : walls) {
+    for (const FlatSegment& wall : walls) {
         const double at_a = turn(wall.a, wall.b, s.a), at_b = turn(wall.a, wall.b, s.b);
         if ((at_a > 0.0) != (at_b > 0.0)) places.push_back(at_a / (at_a - at_b));
         for (const Vec2& p : {wall.a, wall.b}) {  // ends that lie on the segment
@@ -109,15 +106,13 @@ std::vector<double> breaks(const Segment& s, const std::vector<Segment>& walls, 
 }
 
 /// Makes the creases edges of the triangulation; returns what of them lies inside.
-std::vector<Segment> insert_creases(Triangulation& triangulation,
-                                    std::span<const std::vector<Vec2>> creases,
-                                    const std::vector<Segment>& boundary, double longest) {
-    std::vector<Segment> walls = boundary, inside;
-    for (const std::vector<Vec2>& crease : creases)
-        for (std::size_t k = 0; k < crease.size(); ++k)
-            walls.push_back({crease[k], crease[(k + 1) % crease.size()]});
+std::vector<FlatSegment> insert_creases(Triangulation& triangulation,
+                                        std::span<const FlatSegment> creases,
+                                        const std::vector<FlatSegment>& boundary, double longest) {
+    std::vector<FlatSegment> walls = boundary, inside;
+    walls.insert(walls.end(), creases.begin(), creases.end());
     for (std::size_t w = boundary.size(); w < walls.size(); ++w) {
-        const Segment s = walls[w];
+        const FlatSegment s = walls[w];
         std::optional<int> before;
         for (const double t : breaks(s, walls, longest)) {
             const std::optional<int> here = triangulation.insert(s.a + t * (s.b - s.a));
@@ -131,19 +126,17 @@ std::vector<Segment> insert_creases(Triangulation& triangulation,
     return inside;
 }
 
-/// Points half-way along the longest inner edge of each triangle that is left over and too long.
-std::vector<Vec2> points_wanted(const Triangulation& triangulation, const MergedFaces& merged,
-                                double longest) {
+/// Points half-way along the longest edge of each face that is too long. Edges on the boundary and on
+/// creases are short from the start.
+std::vector<Vec2> points_wanted(const Triangulation& triangulation, const MergedFaces& merged, double longest) {
     std::vector<Vec2> wanted;
     const auto& points = triangulation.points();
-    for (const int t : merged.lone_triangles) {
-        const Triangulation::Triangle& triangle = triangulation.triangles()[t];
+    for (const auto& face : merged.faces) {
         double worst = longest * (1.0 + 1e-9);
         std::optional<Vec2> middle;
-        for (int k = 0; k < 3; ++k) {
-            const Vec2 &a = points[triangle.vertices[(k + 1) % 3]],
-                       &b = points[triangle.vertices[(k + 2) % 3]];
-            if (triangle.fixed[k] || (b - a).norm() <= worst) continue;
+        for (std::size_t k = 0; k < 4; ++k) {
+            const Vec2 &a = points[face[k]], &b = points[face[(k + 1) % 4]];
+            if ((b - a).norm() <= worst) continue;
             worst = (b - a).norm();
             middle = 0.5 * (a + b);
         }
@@ -154,16 +147,16 @@ std::vector<Vec2> points_wanted(const Triangulation& triangulation, const Merged
 
 }  // namespace
 
-PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const std::vector<Vec2>> creases,
+PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const FlatSegment> creases,
                          double longest) {
     Triangulation triangulation(outline.corners);
     assert(triangulation.ok());
-    std::vector<Segment> walls;
+    std::vector<FlatSegment> walls;
     for (std::size_t k = 0; k < outline.corners.size(); ++k) {
         for (const Vec2& p : outline.divisions[k]) triangulation.insert(p);
         walls.push_back({outline.corners[k], outline.corners[(k + 1) % outline.corners.size()]});
     }
-    const std::vector<Segment> inner = insert_creases(triangulation, creases, walls, longest);
+    const std::vector<FlatSegment> inner = insert_creases(triangulation, creases, walls, longest);
     walls.insert(walls.end(), inner.begin(), inner.end());
     insert_lattice(triangulation, outline.corners, walls, longest);
     MergedFaces merged = merge_triangles(triangulation);

@@ -16,15 +16,20 @@ struct PolygonMesh {
     std::vector<std::array<std::uint32_t, 4>> faces;  // counter-clockwise
 };
 
+struct FlatSegment {
+    Vec2 a, b;  // [m]
+};
+
 struct PolygonOutline {
     std::vector<Vec2> corners;                 // counter-clockwise [m]
     std::vector<std::vector<Vec2>> divisions;  // per edge: points strictly between its ends [m]
 };
 
 /// Meshes a simple polygon of any shape: square cells along its main direction where they fit,
-/// triangles towards the edges; no edge longer than `longest`, no vertex added on the boundary.
-/// `creases`: polygons whose outlines become edges of the mesh where they cross this polygon.
-PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const std::vector<Vec2>> creases,
+/// triangles towards the edges; no edge longer than `longest`. Vertices are added on the boundary
+/// only where a crease meets it. `creases`: lines that become edges of the mesh as far as they lie
+/// inside the polygon.
+PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const FlatSegment> creases,
                          double longest);
 
 }  // namespace patchlight

@@ -1,5 +1,7 @@
 #include "solver/scene/coplanar.h"
 
+#include "solver/scene/touching_pairs.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -80,30 +82,15 @@ std::vector<Vec2> clip_left(const std::vector<Vec2>& polygon, const Vec2& a, con
 CoplanarOverlaps find_coplanar_overlaps(const Scene& scene) {
     const std::size_t n = scene.surfaces.size();
     const double reach = contact * scene_size(scene);
-    std::vector<Eigen::AlignedBox3d> boxes(n);
-    std::vector<SurfaceIndex> order(n);
-    for (SurfaceIndex s = 0; s < n; ++s) {
-        for (const Vec3& p : scene.surfaces[s].corners) boxes[s].extend(p);
-        boxes[s].min().array() -= reach;
-        boxes[s].max().array() += reach;
-        order[s] = s;
-    }
-    std::sort(order.begin(), order.end(), [&](SurfaceIndex a, SurfaceIndex b) {
-        return std::pair(boxes[a].min().x(), a) < std::pair(boxes[b].min().x(), b);
-    });
     CoplanarOverlaps overlaps{std::vector<std::vector<SurfaceIndex>>(n),
                               std::vector<std::vector<SurfaceIndex>>(n)};
-    for (std::size_t k = 0; k < n; ++k)
-        for (std::size_t l = k + 1; l < n && boxes[order[l]].min().x() <= boxes[order[k]].max().x();
-             ++l) {
-            if (!boxes[order[k]].intersects(boxes[order[l]])) continue;
-            const auto [a, b] = std::minmax(order[k], order[l]);
-            const Surface &first = scene.surfaces[a], &later = scene.surfaces[b];
-            if (!overlap(first, later, reach)) continue;
-            overlaps.partners[a].push_back(b);
-            overlaps.partners[b].push_back(a);
-            if (first.normal.dot(later.normal) > 0.0) overlaps.covered_by[a].push_back(b);
-        }
+    for_each_touching_pair(scene, reach, [&](SurfaceIndex a, SurfaceIndex b) {
+        const Surface &first = scene.surfaces[a], &later = scene.surfaces[b];
+        if (!overlap(first, later, reach)) return;
+        overlaps.partners[a].push_back(b);
+        overlaps.partners[b].push_back(a);
+        if (first.normal.dot(later.normal) > 0.0) overlaps.covered_by[a].push_back(b);
+    });
     for (auto& partners : overlaps.partners) std::sort(partners.begin(), partners.end());
     for (auto& covers : overlaps.covered_by) std::sort(covers.begin(), covers.end());
     return overlaps;

@@ -1,0 +1,44 @@
+#include "server/check_command.h"
+
+#include "server/scene_file.h"
+#include "server/summary.h"
+#include "solver/scene/coplanar.h"
+#include "solver/solve_scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <utility>
+#include <vector>
+
+namespace patchlight::server {
+
+CLI::App* CheckCommand::add_to(CLI::App& program) {
+    CLI::App* command =
+        program.add_subcommand("check", "Say whether a scene is right and what it would cost");
+    command->add_option("SCENE", scene_, "scene JSON; - for standard input")->required();
+    settings_.add_to(*command);
+    return command;
+}
+
+int CheckCommand::run() const {
+    Job job = read_scene_file(scene_);
+    settings_.lay_over(job);
+    CostEstimate cost;
+    settings_.naming_culprit(shown_path(scene_),
+                             [&] { cost = estimate_cost(job.scene, job.settings); });
+    const Scene& scene = job.scene;
+    std::vector<Finding> findings = scene.findings;
+    for (Finding& finding : overlap_findings(scene, find_coplanar_overlaps(scene)))
+        findings.push_back(std::move(finding));
+    std::cout << "scene:     objects " << scene.objects.size() << ", polygons "
+              << scene.surfaces.size() << ", materials " << scene.materials.size() << ", cameras "
+              << job.cameras.size() << ", sensors " << scene.sensors.size() << "\n"
+              << "patches:   " << cost.patches << "\n"
+              << "memory:    " << memory_text(static_cast<double>(cost.memory)) << "\n"
+              << "time:      about " << rounded(cost.seconds) << " s on two cores\n"
+              << finding_lines(findings);
+    return 0;
+}
+
+}  // namespace patchlight::server

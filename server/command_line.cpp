@@ -1,0 +1,78 @@
+#include "server/command_line.h"
+
+#include "server/argument_hint.h"
+#include "server/check_command.h"
+#include "server/not_built.h"
+#include "server/solve_command.h"
+#include "server/version.h"
+#include "server/wrong_input.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <new>
+#include <system_error>
+
+namespace patchlight::server {
+namespace {
+
+constexpr int failed_here = 1;
+constexpr int wrong_input = 2;
+
+int fail(int code, const std::string& what) {
+    std::cerr << "patchlight: error: " << what << std::endl;
+    return code;
+}
+
+void refuse_commands_not_built(CLI::App& program) {
+    for (const char* name : {"form-factors", "chart", "selftest", "serve"})
+        program.add_subcommand(name)
+            ->group("")
+            ->prefix_command()
+            ->callback([name] { throw WrongInput(why_not_built(name)); })
+            ->set_help_flag();  // none: it would tell of what is not there
+}
+
+/// Help and version are asked for by way of an exception too.
+int answer(const CLI::App& program, const CLI::ParseError& request, const std::string& hint) {
+    if (request.get_exit_code() == 0) return program.exit(request);
+    return fail(wrong_input,
+                (hint.empty() ? request.what() : hint) + "\nRun with --help to see what there is.");
+}
+
+int run(int count, const char* const* arguments) {
+    CLI::App program("How is this room lit? Radiosity of diffuse scenes.", "patchlight");
+    program.set_version_flag("--version", std::string("patchlight ") + program_version());
+    program.require_subcommand(1);
+    SolveCommand solve;
+    CheckCommand check;
+    CLI::App* const solve_asked = solve.add_to(program);
+    CLI::App* const check_asked = check.add_to(program);
+    refuse_commands_not_built(program);
+    try {
+        program.parse(count, arguments);
+    } catch (const CLI::ParseError& request) {
+        return answer(program, request, unknown_argument(program, count, arguments));
+    }
+    if (solve_asked->parsed()) return solve.run();
+    if (check_asked->parsed()) return check.run();
+    throw std::logic_error("a command that does nothing");
+}
+
+}  // namespace
+
+int run_command_line(int count, const char* const* arguments) {
+    try {
+        const int code = run(count, arguments);
+        std::cout.flush();
+        return std::cout ? code : fail(failed_here, "standard output cannot be written to");
+    } catch (const WrongInput& error) {
+        return fail(wrong_input, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(failed_here, "out of memory");
+    } catch (const std::exception& error) {
+        return fail(failed_here, error.what());
+    }
+}
+
+}  // namespace patchlight::server

@@ -1,0 +1,160 @@
+#include "server/json_document.h"
+
+#include "server/json_pointer.h"
+#include "server/wording.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace patchlight::server {
+namespace {
+
+using Json = nlohmann::json;
+
+JsonError error_at(std::string_view bytes, std::size_t offset, const std::string& detail) {
+    const std::string_view before = bytes.substr(0, std::min(offset, bytes.size()));
+    const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+    const std::size_t newline = before.rfind('\n');
+    const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
+    return {line, before.size() - line_begin + 1, detail};
+}
+
+/// The parser's message without its code, its position and the bytes it quotes, which may be
+/// anything.
+std::string plain_message(std::string message) {
+    if (const auto code_end = message.find("] "); code_end != std::string::npos)
+        message.erase(0, code_end + 2);
+    if (message.starts_with("parse error"))
+        if (const auto position_end = message.find(": "); position_end != std::string::npos)
+            message.erase(0, position_end + 2);
+    if (const auto quote = message.find("; last read"); quote != std::string::npos)
+        message.erase(quote);
+    return message;
+}
+
+/// Builds the document while it counts depth, values and keys.
+class DocumentBuilder : public nlohmann::json_sax<Json> {
+  public:
+    DocumentBuilder(std::string_view bytes, const JsonLimits& limits)
+        : bytes_(bytes), limits_(limits) {}
+
+    Json take() { return std::move(root_); }
+
+    bool null() override { return add(nullptr); }
+    bool boolean(bool flag) override { return add(flag); }
+    bool number_integer(number_integer_t number) override { return add(number); }
+    bool number_unsigned(number_unsigned_t number) override { return add(number); }
+    bool number_float(number_float_t number, const string_t&) override { return add(number); }
+    bool string(string_t& text) override { return add(std::move(text)); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(Json::object()); }
+    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+
+    bool key(string_t& name) override {
+        if (name.size() > limits_.key_bytes)
+            throw JsonError(pointer(), "a key of " + std::to_string(name.size()) +
+                                           " bytes is too long; the limit is " +
+                                           std::to_string(limits_.key_bytes));
+        levels_.back().key = name;
+        if (levels_.back().container->contains(name))
+            throw JsonError(pointer(), "key " + in_quotes(name) + " is given twice");
+        return true;
+    }
+
+    bool parse_error(std::size_t position, const std::string&,
+                     const nlohmann::detail::exception& failure) override {
+        constexpr int number_overflow = 406;  // the library's code for 1e999
+        throw error_at(
+            bytes_, position > 0 ? position - 1 : 0,
+            failure.id == number_overflow ? "number out of range" : plain_message(failure.what()));
+    }
+
+  private:
+    struct Level {
+        Json* container;
+        std::string key;  // the one whose value is being read, in an object
+    };
+
+    template <typename Value>
+    bool add(Value&& value) {
+        place(Json(std::forward<Value>(value)));
+        return true;
+    }
+
+    bool open(Json container) {
+        levels_.push_back({place(std::move(container)), {}});
+        if (levels_.size() > limits_.depth)
+            throw JsonError(pointer(),
+                            "nested deeper than " + std::to_string(limits_.depth) + " levels");
+        return true;
+    }
+
+    bool close() {
+        levels_.pop_back();
+        return true;
+    }
+
+    Json* place(Json value) {
+        if (++values_ > limits_.values)
+            throw JsonError(
+                "", "more than " + std::to_string(limits_.values) + " values in one document");
+        if (levels_.empty()) {
+            root_ = std::move(value);
+            return &root_;
+        }
+        Json& container = *levels_.back().container;
+        if (container.is_array()) {
+            container.push_back(std::move(value));
+            return &container.back();
+        }
+        Json& member = container[levels_.back().key];
+        member = std::move(value);
+        return &member;
+    }
+
+    std::string pointer() const {
+        std::string text;
+        for (const Level& level : levels_) {
+            if (level.container->is_object() && !level.key.empty())
+                text += '/' + escaped_for_pointer(level.key);
+            else if (level.container->is_array() && !level.container->empty())
+                text += '/' + std::to_string(level.container->size() - 1);
+        }
+        return text;
+    }
+
+    std::string_view bytes_;
+    JsonLimits limits_;
+    Json root_;
+    std::vector<Level> levels_;
+    std::size_t values_ = 0;
+};
+
+void check_bytes(std::string_view bytes, const JsonLimits& limits) {
+    if (bytes.size() > limits.bytes)
+        throw JsonError("", "the document has " + std::to_string(bytes.size()) +
+                                " bytes; the limit is " + std::to_string(limits.bytes));
+    if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE"))
+        throw JsonError("", "must be UTF-8, not UTF-16");
+    if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos)
+        throw JsonError("", "the document is empty");
+    if (const auto nul = bytes.find('\0'); nul != std::string_view::npos)
+        throw error_at(bytes, nul, "a NUL byte is not JSON");
+}
+
+}  // namespace
+
+nlohmann::json parse_json(std::string_view bytes, const JsonLimits& limits) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+    check_bytes(bytes, limits);
+    DocumentBuilder builder(bytes, limits);
+    Json::sax_parse(bytes, &builder);
+    return builder.take();
+}
+
+}  // namespace patchlight::server

@@ -1,0 +1,65 @@
+#include "server/picture.h"
+
+#include "raster/image_file.h"
+#include "raster/render.h"
+
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace patchlight::server {
+namespace {
+
+bool ends_with(std::string_view text, std::string_view small_letters) {
+    if (text.size() < small_letters.size()) return false;
+    text.remove_prefix(text.size() - small_letters.size());
+    for (std::size_t k = 0; k < text.size(); ++k)
+        if ((text[k] | ('A' ^ 'a')) != (small_letters[k] | ('A' ^ 'a'))) return false;
+    return true;
+}
+
+}  // namespace
+
+std::optional<ImageFormat> format_of_file(std::string_view path) {
+    if (ends_with(path, ".png")) return ImageFormat::png;
+    if (ends_with(path, ".exr")) return ImageFormat::exr;
+    if (ends_with(path, ".pfm")) return ImageFormat::pfm;
+    return std::nullopt;
+}
+
+std::string content_type(ImageFormat format) {
+    switch (format) {
+        case ImageFormat::png:
+            return "image/png";
+        case ImageFormat::exr:
+            return "image/x-exr";
+        case ImageFormat::pfm:
+            return "image/x-portable-floatmap";
+    }
+    throw std::logic_error("a format without a content type");
+}
+
+bool needs_codec(ImageFormat format) { return format != ImageFormat::pfm; }
+
+raster::Image take_picture(const Solution& solution, const raster::Camera& camera) {
+    std::vector<Rgb> radiance;
+    radiance.reserve(solution.display.radiosity.size());
+    for (const Rgb& radiosity : solution.display.radiosity)
+        radiance.push_back(radiosity / std::numbers::pi);
+    return raster::render(camera,
+                          {solution.display.positions, radiance, solution.display.triangles});
+}
+
+std::string encode(const raster::Image& image, ImageFormat format, double exposure) {
+    switch (format) {
+        case ImageFormat::png:
+            return raster::encode_png(image, exposure);
+        case ImageFormat::exr:
+            return raster::encode_exr(image);
+        case ImageFormat::pfm:
+            return raster::encode_pfm(image);
+    }
+    throw std::logic_error("a format that is not encoded");
+}
+
+}  // namespace patchlight::server

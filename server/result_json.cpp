@@ -1,0 +1,153 @@
+#include "server/result_json.h"
+
+#include "server/cameras_json.h"
+#include "server/scene_results.h"
+#include "server/sha256.h"
+#include "server/solve_json.h"
+#include "server/version.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace patchlight::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json method_of(const Solution& solution) {
+    return {{"solver", name_of(solution.settings.method)},
+            {"form_factors", name_of(solution.settings.engine)},
+            {"why", solution.why}};
+}
+
+Json settings_of(const Job& job, const Solution& solution) {
+    Json cameras = Json::array();
+    for (const NamedCamera& camera : job.cameras) cameras.push_back(camera_block(camera));
+    return {{"units", scene_units(job.units)},
+            {"materials", materials_block(job.scene)},
+            {"cameras", std::move(cameras)},
+            {"solve", solve_block(solution.settings)}};
+}
+
+Json error_of(const ErrorReport& error) {
+    Json block = Json::object();
+    if (error.target) block["target"] = *error.target;
+    if (error.estimate) block["estimate"] = *error.estimate;
+    if (error.algebraic_bound) block["algebraic_bound"] = *error.algebraic_bound;
+    if (error.target && error.estimate) block["met"] = *error.estimate <= *error.target;
+    return block;
+}
+
+Json energy_of(const EnergyReport& energy) {
+    return {{"emitted", channels(energy.emitted)},
+            {"absorbed", channels(energy.absorbed)},
+            {"backs", channels(energy.backs)},
+            {"escaped", channels(energy.escaped)},
+            {"defect", energy.defect}};
+}
+
+Json closure_of(const ClosureReport& closure) {
+    return {{"row_sum",
+             {{"min", closure.row_sum_min},
+              {"max", closure.row_sum_max},
+              {"mean", closure.row_sum_mean}}},
+            {"closure_max", closure.closure_max},
+            {"reciprocity_max", closure.reciprocity_max}};
+}
+
+Json form_factors_of(const FormFactorReport& form_factors) {
+    Json block = closure_of(form_factors.repaired);
+    block["rays"] = form_factors.rays;
+    block["open"] = form_factors.open;
+    block["repair"] = {{"before", closure_of(form_factors.measured)},
+                       {"after", closure_of(form_factors.repaired)}};
+    return block;
+}
+
+Json convergence_of(const std::vector<ConvergenceStep>& steps) {
+    Json list = Json::array();
+    for (const ConvergenceStep& step : steps)
+        list.push_back({{"iteration", step.iteration},
+                        {"seconds", step.seconds},
+                        {"residual", step.residual}});
+    return list;
+}
+
+Json images_of(const std::vector<ImageReport>& images) {
+    Json list = Json::array();
+    for (const ImageReport& image : images) {
+        Json entry{{"camera", image.camera},
+                   {"content_type", image.content_type},
+                   {"width", image.width},
+                   {"height", image.height}};
+        if (image.exposure) entry["exposure"] = *image.exposure;
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+Json seconds_of(const StageSeconds& stages, const RunReport& report) {
+    return {{"load", report.load_seconds},         {"mesh", stages.mesh},
+            {"form_factors", stages.form_factors}, {"solve", stages.solve},
+            {"display", stages.display},           {"render", report.render_seconds},
+            {"total", report.total_seconds}};
+}
+
+void require_finite(const Json& value) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>()))
+        throw std::logic_error("a result that is not finite");
+    if (value.is_structured())
+        for (const Json& element : value) require_finite(element);
+}
+
+}  // namespace
+
+Json result_json(const Job& job, const Solution& solution, const RunReport& report) {
+    Json result{{"version", 1},
+                {"patchlight", program_version()},
+                {"status", name_of(solution.status)},
+                {"units", result_units(job.units)},
+                {"settings", settings_of(job, solution)},
+                {"method", method_of(solution)},
+                {"patches", solution.mesh.size()},
+                {"error", error_of(solution.error)},
+                {"energy", energy_of(solution.energy)},
+                {"form_factors", form_factors_of(solution.form_factors)},
+                {"convergence", convergence_of(solution.convergence)},
+                {"objects", object_results(job.scene, solution)},
+                {"sensors", sensor_results(job.scene, solution)},
+                {"grids", grid_results(job.scene, solution)},
+                {"images", images_of(report.images)},
+                {"findings", finding_list(solution.findings)},
+                {"seconds", seconds_of(solution.seconds, report)},
+                {"threads", report.threads},
+                {"peak_memory_bytes", report.peak_memory}};
+    require_finite(result);
+    result["result_hash"] = result_hash(result, solution.display);
+    return result;
+}
+
+std::string result_hash(Json result, const DisplayMesh& display) {
+    for (const char* varying : {"seconds", "threads", "peak_memory_bytes", "result_hash"})
+        result.erase(varying);
+    for (Json& step : result["convergence"]) step.erase("seconds");
+    Sha256 sum;
+    sum.add(result.dump());
+    for (const Rgb& radiosity : display.radiosity)
+        for (const double channel : radiosity) sum.add(channel);
+    return sum.hex();
+}
+
+std::string name_of(Status status) {
+    switch (status) {
+        case Status::converged:
+            return "converged";
+        case Status::limit:
+            return "limit";
+        case Status::cancelled:
+            return "cancelled";
+    }
+    throw std::logic_error("a status without a name");
+}
+
+}  // namespace patchlight::server

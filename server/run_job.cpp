@@ -1,0 +1,65 @@
+#include "server/run_job.h"
+
+#include "server/exposure.h"
+#include "server/result_json.h"
+#include "solver/solve_scene.h"
+
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+
+#include <chrono>
+
+namespace patchlight::server {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::uint64_t peak_memory() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    constexpr std::uint64_t kibibyte = 1024;  // what Linux counts in
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * kibibyte;
+}
+
+std::vector<MadeImage> take_pictures(const Job& job, const Solution& solution,
+                                     const std::vector<PictureRequest>& requests) {
+    std::vector<MadeImage> made;
+    for (const PictureRequest& request : requests) {
+        const raster::Image image = take_picture(solution, request.camera.camera);
+        const double exposure =
+            request.exposure ? *request.exposure : automatic_exposure(job.scene, solution);
+        for (const ImageFormat format : request.formats) {
+            ImageReport report{
+                request.camera.name, content_type(format), image.width, image.height, {}};
+            if (format == ImageFormat::png) report.exposure = exposure;
+            made.push_back({std::move(report), encode(image, format, exposure)});
+        }
+    }
+    return made;
+}
+
+}  // namespace
+
+JobResult run_job(const Job& job, const std::vector<PictureRequest>& requests, double load_seconds,
+                  const Observer& observe) {
+    const Clock::time_point start = Clock::now();
+    JobResult result;
+    result.solution = solve_scene(job.scene, job.settings, observe);
+    const Clock::time_point solved = Clock::now();
+    result.images = take_pictures(job, result.solution, requests);
+    for (const MadeImage& image : result.images) result.run.images.push_back(image.report);
+    result.run.load_seconds = load_seconds;
+    result.run.render_seconds = seconds_since(solved);
+    result.run.total_seconds = load_seconds + seconds_since(start);
+    using Control = tbb::global_control;
+    result.run.threads = static_cast<int>(Control::active_value(Control::max_allowed_parallelism));
+    result.run.peak_memory = peak_memory();
+    result.document = result_json(job, result.solution, result.run);
+    return result;
+}
+
+}  // namespace patchlight::server

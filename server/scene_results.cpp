@@ -1,0 +1,90 @@
+#include "server/scene_results.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace patchlight::server {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json grid_result(const SensorGrid& grid, const Solution& solution) {
+    const std::size_t count =
+        static_cast<std::size_t>(grid.count_u) * static_cast<std::size_t>(grid.count_v);
+    double least = luminance(solution.sensors.at(grid.first).irradiance);
+    double most = least;
+    double sum = 0.0;
+    for (std::size_t k = grid.first; k < grid.first + count; ++k) {
+        const double illuminance = luminance(solution.sensors.at(k).irradiance);
+        least = std::min(least, illuminance);
+        most = std::max(most, illuminance);
+        sum += illuminance;
+    }
+    const double mean = sum / static_cast<double>(count);
+    Json result{{"name", grid.name}, {"min", least}, {"mean", mean}, {"max", most}};
+    if (mean > 0.0) result["uniformity"] = least / mean;
+    return result;
+}
+
+}  // namespace
+
+Json channels(const Rgb& quantity) { return {quantity[0], quantity[1], quantity[2]}; }
+
+Json materials_block(const Scene& scene) {
+    Json block = Json::object();
+    for (const Material& material : scene.materials)
+        block[material.name] = {{"reflectance", channels(material.reflectance)},
+                                {"exitance", channels(material.exitance)},
+                                {"two_sided", material.two_sided}};
+    return block;
+}
+
+Json object_results(const Scene& scene, const Solution& solution) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < solution.objects.size(); ++k) {
+        const ObjectReport& object = solution.objects[k];
+        list.push_back({{"name", scene.objects.at(k).name},
+                        {"area", object.area},
+                        {"radiosity", channels(object.radiosity)},
+                        {"irradiance", channels(object.irradiance)},
+                        {"emitted", channels(object.emitted)},
+                        {"min", channels(object.min)},
+                        {"max", channels(object.max)}});
+    }
+    return list;
+}
+
+Json sensor_results(const Scene& scene, const Solution& solution) {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < solution.sensors.size(); ++k) {
+        const SensorReport& sensor = solution.sensors[k];
+        list.push_back({{"name", scene.sensors.at(k).name},
+                        {"position", channels(scene.sensors[k].position.array())},
+                        {"irradiance", channels(sensor.irradiance)},
+                        {"illuminance", luminance(sensor.irradiance)},
+                        {"error", sensor.error}});
+    }
+    return list;
+}
+
+Json grid_results(const Scene& scene, const Solution& solution) {
+    Json list = Json::array();
+    if (solution.sensors.empty()) return list;  // the work ended before they were gathered
+    for (const SensorGrid& grid : scene.grids) list.push_back(grid_result(grid, solution));
+    return list;
+}
+
+Json finding_list(const std::vector<Finding>& findings) {
+    Json list = Json::array();
+    for (const Finding& finding : findings) {
+        Json entry{{"kind", finding.kind},
+                   {"objects", finding.objects},
+                   {"detail", finding.detail},
+                   {"remedy", finding.remedy}};
+        if (finding.count > 1) entry["count"] = finding.count;
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+}  // namespace patchlight::server

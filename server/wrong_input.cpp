@@ -1,0 +1,22 @@
+#include "server/wrong_input.h"
+
+#include "server/json_document.h"
+
+namespace patchlight::server {
+
+void naming_file(const std::string& file, const std::function<void()>& work) {
+    try {
+        work();
+    } catch (const JsonError& error) {
+        std::string place = file;
+        if (error.line() > 0)
+            place += ":" + std::to_string(error.line()) + ":" + std::to_string(error.column());
+        if (!error.pointer().empty()) place += ": " + error.pointer();
+        throw WrongInput(place + ": " + error.what());
+    } catch (const InputError& error) {
+        const std::string place = error.pointer().empty() ? "" : ": " + error.pointer();
+        throw WrongInput(file + place + ": " + error.what());
+    }
+}
+
+}  // namespace patchlight::server

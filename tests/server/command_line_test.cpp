@@ -1,0 +1,185 @@
+#include "tests/server/run_program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace patchlight::server {
+namespace {
+
+/// A closed box with a lamp on its ceiling, in which light goes about.
+const std::string box = R"({
+  "version": 1,
+  "materials": {"white": {"reflectance": 0.7}, "lamp": {"reflectance": 0.2, "radiance": 5}},
+  "objects": [
+    {"name": "walls", "material": "white", "mesh": {
+       "vertices": [[0,0,0],[2,0,0],[2,2,0],[0,2,0],[0,0,2],[2,0,2],[2,2,2],[0,2,2]],
+       "faces": [[0,1,2,3],[4,7,6,5],[0,3,7,4],[1,5,6,2],[0,4,5,1],[3,2,6,7]]}},
+    {"name": "lamp", "material": "lamp",
+     "polygon": [[0.7,0.7,1.9],[0.7,1.3,1.9],[1.3,1.3,1.9],[1.3,0.7,1.9]]}],
+  "cameras": [{"name": "main", "eye": [1,1,1.5], "look_at": [1,1.2,0], "size": [32,24]}],
+  "sensors": [{"name": "desk", "position": [1,1,0.8], "normal": [0,0,1]}],
+  "solve": {"patch_size": 0.7, "form_factors": "analytic"}})";
+
+std::string box_file() { return write_test_file("box.json", box); }
+
+void expect_refused(const std::string& arguments, const std::string& words) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_TRUE(outcome.err.starts_with("patchlight: error: ")) << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err << "\nlacks: " << words;
+}
+
+TEST(CommandLine, VersionAndHelpAreAnswers) {
+    EXPECT_EQ(run_program("--version").code, 0);
+    EXPECT_EQ(run_program("--version").out, std::string("patchlight ") + PATCHLIGHT_VERSION + "\n");
+    for (const char* asked : {"--help", "solve --help", "check --help"}) {
+        const Outcome outcome = run_program(asked);
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_NE(outcome.out.find("Usage"), std::string::npos);
+        EXPECT_EQ(outcome.err, "");
+    }
+}
+
+TEST(CommandLine, CheckTellsTheCost) {
+    const Outcome outcome = run_program("check " + box_file());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* line : {"patches:", "memory:", "time:", "finding"})
+        EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
+}
+
+TEST(CommandLine, SolveWithoutOutputsPrintsASummary) {
+    const Outcome outcome = run_program("solve " + box_file());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");  // no progress where there is no terminal
+    EXPECT_TRUE(outcome.out.starts_with("status:    converged")) << outcome.out;
+}
+
+TEST(CommandLine, StatsGoToStandardOutputAndNothingElseDoes) {
+    const Outcome outcome = run_program("solve --stats - " + box_file());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto result = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(result["objects"][0]["name"], "walls");
+    EXPECT_EQ(result["sensors"][0]["name"], "desk");
+    EXPECT_EQ(result["settings"]["solve"]["patch_size"], 0.7);
+}
+
+TEST(CommandLine, ASceneComesFromStandardInputToo) {
+    EXPECT_EQ(run_program("check - < " + box_file()).code, 0);
+    write_test_file("bad.json", "{");
+    expect_refused("check - < bad.json", "standard input:1:2: ");
+}
+
+TEST(CommandLine, PicturesAreWrittenInEveryFormatAskedFor) {
+    const Outcome outcome = run_program("solve " + box_file() +
+                                        " --image a.pfm --image b.pfm --size 8x6 --stats s.json");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(read_test_file("a.pfm").starts_with("PF\n8 6\n"));
+    EXPECT_EQ(read_test_file("a.pfm"), read_test_file("b.pfm"));
+    const auto result = nlohmann::json::parse(read_test_file("s.json"));
+    EXPECT_EQ(result["images"][0]["width"], 8);
+    EXPECT_EQ(result["images"][0]["camera"], "main");
+    EXPECT_EQ(result["settings"]["cameras"][0]["size"][1], 6);
+}
+
+TEST(CommandLine, PngAndExrAreWritten) {
+    const Outcome outcome = run_program(
+        "solve " + box_file() + " --image a.png --image a.exr --exposure -1.5 --stats s.json");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(read_test_file("a.png").starts_with("\x89PNG"));
+    EXPECT_TRUE(read_test_file("a.exr").starts_with("\x76\x2f\x31\x01"));
+    const auto images = nlohmann::json::parse(read_test_file("s.json"))["images"];
+    EXPECT_EQ(images[0]["exposure"], -1.5);
+    EXPECT_FALSE(images[1].contains("exposure"));
+}
+
+TEST(CommandLine, OptionsOverrideTheScene) {
+    const Outcome outcome =
+        run_program("solve " + box_file() + " --patch-size .9 --seed 7 --threads 1 --stats -");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto result = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(result["settings"]["solve"]["patch_size"], 0.9);
+    EXPECT_EQ(result["settings"]["solve"]["seed"], 7);
+    EXPECT_EQ(result["threads"], 1);
+}
+
+TEST(CommandLine, WrongScenesAreToldWithFileAndPlace) {
+    write_test_file("typo.json", R"({"version": 1, "objets": []})");
+    expect_refused("solve typo.json", "typo.json: /objets: unknown key 'objets'; did you mean");
+    write_test_file("syntax.json", "{\n  \"version\": 1,\n  x\n}");
+    expect_refused("check syntax.json", "syntax.json:3:3: ");
+    expect_refused("solve missing.json", "missing.json: cannot be read: No such file");
+    expect_refused("solve .", "is a directory");
+}
+
+TEST(CommandLine, WrongArgumentsAreRefused) {
+    const std::string solve = "solve " + box_file() + " ";
+    expect_refused("", "subcommand");
+    expect_refused("slove box.json", "did you mean 'solve'?");
+    expect_refused("solve", "SCENE");
+    expect_refused(solve + "--patchsize 1", "did you mean '--patch-size'?");
+    expect_refused(solve + "--patch-size 0", "--patch-size: must be above 0");
+    expect_refused(solve + "--patch-size two", "--patch-size: must be a number");
+    expect_refused(solve + "--solver gauss", "--solver: unknown choice 'gauss'");
+    expect_refused(solve + "--threads 0", "--threads");
+    expect_refused(solve + "--image a.gif", ".png, .exr or .pfm");
+    expect_refused(solve + "--image no-such-directory/a.png", "no directory");
+    expect_refused(solve + "--stats no-such-directory/a.json", "no directory");
+    expect_refused(solve + "--image a.png --image ./a.png", "two outputs");
+    expect_refused(solve + "--image a.png --camera mian", "did you mean 'main'?");
+    expect_refused(solve + "--image a.png --size 10", "--size: must be WIDTHxHEIGHT");
+    expect_refused(solve + "--image a.png --size 100000x100000", "from 1 to 16384");
+    expect_refused(solve + "--image a.png --exposure nan", "--exposure");
+    expect_refused(solve + "--image a.pfm --exposure 1", "only .png");
+    expect_refused(solve + "--size 10x10", "--image");
+}
+
+TEST(CommandLine, WhatIsNotBuiltYetIsRefused) {
+    const std::string solve = "solve " + box_file() + " ";
+    for (const char* option :
+         {"--false-colour", "--sensors a.csv", "--patches a.csv", "--mesh a.glb", "--accuracy 0.01",
+          "--hemicube-resolution 64", "--form-factors hemicube", "--solver shooting",
+          "--solver hierarchical"})
+        expect_refused(solve + option, "is not built yet; ");
+    for (const char* command : {"form-factors box.json", "chart box.json --output x", "selftest",
+                                "serve --port 80", "solve room.obj", "check room.GLB"})
+        expect_refused(command, "is not built yet; ");
+}
+
+TEST(CommandLine, AFullDiskIsOurSide) {
+    for (const char* full : {"--stats /dev/full", "--stats - > /dev/full"}) {
+        const Outcome outcome = run_program("solve " + box_file() + " " + full);
+        EXPECT_EQ(outcome.code, 1) << full;
+        EXPECT_TRUE(outcome.err.starts_with("patchlight: error: ")) << outcome.err;
+    }
+}
+
+TEST(CommandLine, WithoutConvergenceItSaysSoAndWritesItsOutputs) {
+    const Outcome outcome =
+        run_program("solve " + box_file() + " --max-iterations 1 --tolerance 1e-9 --stats s.json");
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    EXPECT_NE(outcome.err.find("not converged"), std::string::npos) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(read_test_file("s.json"))["status"], "limit");
+}
+
+TEST(CommandLine, AnInterruptedSolveWritesWhatThereIs) {
+    const Outcome outcome = run_program("solve " + box_file() +
+                                            " --form-factors ray-cast --rays 16000000"
+                                            " --stats s.json --image i.pfm",
+                                        "timeout --preserve-status -s INT 1");
+    EXPECT_EQ(outcome.code, 130) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(read_test_file("s.json"))["status"], "cancelled");
+    EXPECT_TRUE(read_test_file("i.pfm").starts_with("PF\n32 24\n"));
+}
+
+TEST(CommandLine, NothingIsLeftBesideTheOutputs) {
+    run_program("solve " + box_file() + " --image only.pfm");
+    for (const auto& entry : std::filesystem::directory_iterator(test_file("")))
+        EXPECT_FALSE(entry.path().filename().string().starts_with(".patchlight")) << entry.path();
+}
+
+}  // namespace
+}  // namespace patchlight::server
