@@ -46,11 +46,12 @@ void ProgressLine::show(const Progress& progress) {
     const Clock::time_point now = Clock::now();
     if (progress.stage != stage_) {
         stage_ = progress.stage;
-        stage_begin_ = now;
+        stage_begin_ = heard_;  // the first word of a stage comes when some of it is done
     }
+    heard_ = now;
     constexpr std::chrono::milliseconds pause(100);  // short to the eye, long to the terminal
-    if (now - last_ < pause) return;
-    last_ = now;
+    if (now - shown_ < pause) return;
+    shown_ = now;
     std::string line = name_of(progress.stage);
     constexpr double telling = 0.02;  // of a stage: less of it says nothing of its length
     const double spent = std::chrono::duration<double>(now - stage_begin_).count();

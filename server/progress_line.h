@@ -24,7 +24,8 @@ class ProgressLine {
     bool is_dirty_ = false;
     Stage stage_ = Stage::mesh;
     Clock::time_point stage_begin_ = Clock::now();
-    Clock::time_point last_ = Clock::now();
+    Clock::time_point heard_ = Clock::now();  // of the work, last
+    Clock::time_point shown_ = Clock::now();
 };
 
 }  // namespace patchlight::server

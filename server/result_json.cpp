@@ -110,18 +110,20 @@ Json result_json(const Job& job, const Solution& solution, const RunReport& repo
                 {"settings", settings_of(job, solution)},
                 {"method", method_of(solution)},
                 {"patches", solution.mesh.size()},
-                {"error", error_of(solution.error)},
-                {"energy", energy_of(solution.energy)},
-                {"form_factors", form_factors_of(solution.form_factors)},
-                {"convergence", convergence_of(solution.convergence)},
-                {"objects", object_results(job.scene, solution)},
-                {"sensors", sensor_results(job.scene, solution)},
-                {"grids", grid_results(job.scene, solution)},
-                {"images", images_of(report.images)},
-                {"findings", finding_list(solution.findings)},
-                {"seconds", seconds_of(solution.seconds, report)},
-                {"threads", report.threads},
-                {"peak_memory_bytes", report.peak_memory}};
+                {"error", error_of(solution.error)}};
+    if (is_solved(solution)) {
+        result["energy"] = energy_of(solution.energy);
+        result["form_factors"] = form_factors_of(solution.form_factors);
+    }
+    result["convergence"] = convergence_of(solution.convergence);
+    result["objects"] = object_results(job.scene, solution);
+    result["sensors"] = sensor_results(job.scene, solution);
+    result["grids"] = grid_results(job.scene, solution);
+    result["images"] = images_of(report.images);
+    result["findings"] = finding_list(solution.findings);
+    result["seconds"] = seconds_of(solution.seconds, report);
+    result["threads"] = report.threads;
+    result["peak_memory_bytes"] = report.peak_memory;
     require_finite(result);
     result["result_hash"] = result_hash(result, solution.display);
     return result;
@@ -131,12 +133,15 @@ std::string result_hash(Json result, const DisplayMesh& display) {
     for (const char* varying : {"seconds", "threads", "peak_memory_bytes", "result_hash"})
         result.erase(varying);
     for (Json& step : result["convergence"]) step.erase("seconds");
+    result["settings"]["solve"].erase("memory_limit");
     Sha256 sum;
     sum.add(result.dump());
     for (const Rgb& radiosity : display.radiosity)
         for (const double channel : radiosity) sum.add(channel);
     return sum.hex();
 }
+
+bool is_solved(const Solution& solution) { return !solution.convergence.empty(); }
 
 std::string name_of(Status status) {
     switch (status) {

@@ -89,14 +89,17 @@ std::string finding_lines(const std::vector<Finding>& findings) {
 
 std::string summary(const Job& job, const JobResult& result) {
     const Solution& solution = result.solution;
-    return "status:    " + name_of(solution.status) + "\n" +  //
-           "method:    " + name_of(solution.settings.method) + " on " +
-           name_of(solution.settings.engine) + " form factors; " + solution.why + "\n" +
-           "size:      polygons " + std::to_string(job.scene.surfaces.size()) + ", patches " +
-           std::to_string(solution.mesh.size()) + ", iterations " +
-           std::to_string(solution.convergence.size()) + "\n" + error_line(solution) +
-           energy_line(job, solution.energy) + brightest_line(job, solution) + time_line(result) +
-           finding_lines(solution.findings);
+    std::string lines = "status:    " + name_of(solution.status) + "\n" +  //
+                        "method:    " + name_of(solution.settings.method) + " on " +
+                        name_of(solution.settings.engine) + " form factors\n" +
+                        "why:       " + solution.why + "\n" + "size:      polygons " +
+                        std::to_string(job.scene.surfaces.size()) + ", patches " +
+                        std::to_string(solution.mesh.size()) + ", iterations " +
+                        std::to_string(solution.convergence.size()) + "\n";
+    if (is_solved(solution))
+        lines += error_line(solution) + energy_line(job, solution.energy) +
+                 brightest_line(job, solution);
+    return lines + time_line(result) + finding_lines(solution.findings);
 }
 
 }  // namespace patchlight::server

@@ -68,8 +68,7 @@ patchlight::raster::Image take_picture(const patchlight::DisplayMesh& display) {
     camera.height = 240;
     // A diffuse surface of radiosity B has the radiance B/π in every direction.
     std::vector<Eigen::Array3d> radiance;
-    for (const Rgb& radiosity : display.radiosity)
-        radiance.push_back(radiosity / std::numbers::pi);
+    for (const Rgb& radiosity : display.radiosity) radiance.push_back(radiosity / std::numbers::pi);
     return patchlight::raster::render(camera, {display.positions, radiance, display.triangles});
 }
 

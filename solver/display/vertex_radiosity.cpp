@@ -12,8 +12,8 @@ namespace patchlight {
 namespace {
 
 constexpr double mostly_hidden =
-    0.95;                          // of a patch: what it says of its vertices does not count [1]
-constexpr double overshoot = 0.5;  // of the neighbourhood's range, beyond it [1]
+    0.95;                           // of a patch: what it says of its vertices does not count [1]
+constexpr double overshoot = 0.25;  // of the neighbourhood's range, beyond it [1]
 
 using Slope = Eigen::Matrix<double, 3, 3>;  // rows: channels; columns: world axes
 
@@ -41,16 +41,26 @@ struct Fitter {
         const PlaneFrame frame = frame_of(mesh.patches[i].centre, normal);
         Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();
         Eigen::Matrix<double, 2, 3> right = Eigen::Matrix<double, 2, 3>::Zero();
+        Rgb total = Rgb::Zero();  // squared differences
         for (const PatchIndex j : neighbours(i)) {
             const Vec2 away = frame.flat(mesh.patches[j].centre);
             const double weight = 1.0 / away.squaredNorm();
+            const Rgb difference = radiosity[j] - radiosity[i];
             moments += weight * away * away.transpose();
-            right += weight * away * (radiosity[j] - radiosity[i]).matrix().transpose();
+            right += weight * away * difference.matrix().transpose();
+            total += weight * difference.square();
         }
         // Neighbours on one line tell the slope along it alone.
         const Eigen::Matrix<double, 2, 3> flat =
             moments.completeOrthogonalDecomposition().solve(right);
-        return (frame.u * flat.row(0) + frame.v * flat.row(1)).transpose();
+        Slope slope = (frame.u * flat.row(0) + frame.v * flat.row(1)).transpose();
+        for (int c = 0; c < 3; ++c) {  // as much of it as the neighbours agree on
+            const double explained = flat.col(c).dot(right.col(c));
+            const double agreement =
+                total[c] > 0.0 ? std::clamp(explained / total[c], 0.0, 1.0) : 0.0;
+            slope.row(c) *= agreement * agreement;
+        }
+        return slope;
     }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/form_factors/convex_polygon.h"
 #include "solver/mesh/patch_mesh.h"
 
 #include <span>
@@ -18,5 +19,9 @@ PatchPoints make_patch_points(const PatchMesh& mesh, int order);
 /// A_i F_ij by the product of both patches' Gauss rules, both wholly in front of each other [m²].
 double kernel_exchange(const PatchPoints& points, PatchIndex i, const Vec3& normal_i, PatchIndex j,
                        const Vec3& normal_j);
+
+/// The same for two convex polygons, each cut into quads with 3 × 3 Gauss points [m²].
+double kernel_exchange(const ConvexPolygon& p, const Vec3& normal_p, const ConvexPolygon& q,
+                       const Vec3& normal_q);
 
 }  // namespace patchlight

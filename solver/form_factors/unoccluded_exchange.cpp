@@ -77,7 +77,10 @@ double UnoccludedExchange::clipped(PatchIndex i, PatchIndex j) const {
     const ConvexPolygon p = clip_to_front(polygons_[i], surface_j.corners[0], surface_j.normal);
     const ConvexPolygon q = clip_to_front(polygons_[j], surface_i.corners[0], surface_i.normal);
     if (p.size < 3 || q.size < 3) return 0.0;
-    return contour_exchange(p, q);
+    const double distance = (mesh_.patches[j].centre - mesh_.patches[i].centre).norm();
+    if (distance < triangle_reach.three * std::max(radius_[i], radius_[j]))
+        return contour_exchange(p, q);
+    return std::max(0.0, kernel_exchange(p, surface_i.normal, q, surface_j.normal));
 }
 
 double UnoccludedExchange::operator()(PatchIndex i, PatchIndex j) const {

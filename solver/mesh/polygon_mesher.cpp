@@ -126,9 +126,10 @@ std::vector<FlatSegment> insert_creases(Triangulation& triangulation,
     return inside;
 }
 
-/// Points half-way along the longest edge of each face that is too long. Edges on the boundary and on
-/// creases are short from the start.
-std::vector<Vec2> points_wanted(const Triangulation& triangulation, const MergedFaces& merged, double longest) {
+/// Points half-way along the longest edge of each face that is too long. Edges on the boundary and
+/// on creases are short from the start.
+std::vector<Vec2> points_wanted(const Triangulation& triangulation, const MergedFaces& merged,
+                                double longest) {
     std::vector<Vec2> wanted;
     const auto& points = triangulation.points();
     for (const auto& face : merged.faces) {

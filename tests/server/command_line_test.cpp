@@ -166,10 +166,11 @@ TEST(CommandLine, WithoutConvergenceItSaysSoAndWritesItsOutputs) {
 }
 
 TEST(CommandLine, AnInterruptedSolveWritesWhatThereIs) {
-    const Outcome outcome = run_program("solve " + box_file() +
-                                            " --form-factors ray-cast --rays 16000000"
-                                            " --stats s.json --image i.pfm",
-                                        "timeout --preserve-status -s INT 1");
+    const Outcome outcome =
+        run_program("solve " + box_file() +
+                        " --form-factors ray-cast --rays 100000 --patch-size 0.1"
+                        " --stats s.json --image i.pfm",
+                    "timeout --preserve-status -s INT 1");
     EXPECT_EQ(outcome.code, 130) << outcome.err;
     EXPECT_EQ(nlohmann::json::parse(read_test_file("s.json"))["status"], "cancelled");
     EXPECT_TRUE(read_test_file("i.pfm").starts_with("PF\n32 24\n"));

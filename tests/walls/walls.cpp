@@ -17,7 +17,8 @@ Paths operator+(Paths some, const Paths& more) {
     return some;
 }
 
-/// What a room, or a file in it, may include. For a file, the longest `place` it begins with counts.
+/// What a room, or a file in it, may include. For a file, the longest `place` it begins with
+/// counts.
 struct Door {
     std::string_view place;
     Paths may_include;
@@ -33,8 +34,7 @@ const Paths rays = mesh + Paths{"solver/rays/"};
 const Paths plain_types = {"solver/settings.h", "solver/solution.h"};
 const Paths form_factors = rays + plain_types + Paths{"solver/form_factors/"};
 const Paths transport = form_factors + Paths{"solver/transport/"};
-const Paths hierarchy =
-    form_factors + Paths{"solver/hierarchy/", "solver/transport/stop_rule.h"};
+const Paths hierarchy = form_factors + Paths{"solver/hierarchy/", "solver/transport/stop_rule.h"};
 const Paths below_accuracy = transport + Paths{"solver/hierarchy/"};
 
 const std::vector<Door> doors = {
@@ -45,7 +45,8 @@ const std::vector<Door> doors = {
     {"solver/rays/", rays},
     {"solver/rays/ray_scene.cpp", rays + Paths{"embree3/", "embree4/"}},
     {"solver/form_factors/", form_factors},
-    {"solver/form_factors/hemicube", form_factors + Paths{"raster/item_buffer.h", "raster/camera.h"}},
+    {"solver/form_factors/hemicube",
+     form_factors + Paths{"raster/item_buffer.h", "raster/camera.h"}},
     {"solver/transport/", transport},
     {"solver/hierarchy/", hierarchy},
     {"solver/accuracy/", below_accuracy + Paths{"solver/accuracy/"}},
@@ -69,8 +70,7 @@ bool begins_with_one_of(std::string_view path, const Paths& beginnings) {
 const Door* door_of(std::string_view file) {
     const Door* nearest = nullptr;
     for (const Door& door : doors)
-        if (file.starts_with(door.place) &&
-            (!nearest || door.place.size() > nearest->place.size()))
+        if (file.starts_with(door.place) && (!nearest || door.place.size() > nearest->place.size()))
             nearest = &door;
     return nearest;
 }
@@ -78,9 +78,9 @@ const Door* door_of(std::string_view file) {
 /// A header of the C++ language, such as <vector> or <cmath>: they alone have neither folder nor
 /// ending. Headers of the processor's vector instructions count with them.
 bool is_standard(const Include& include) {
-    return !include.quoted && (include.path.find_first_of("/.") == std::string::npos ||
-                               include.path.ends_with("mmintrin.h") ||
-                               include.path == "immintrin.h");
+    return !include.quoted &&
+           (include.path.find_first_of("/.") == std::string::npos ||
+            include.path.ends_with("mmintrin.h") || include.path == "immintrin.h");
 }
 
 bool is_allowed(std::string_view file, const Door& door, const Include& include) {
@@ -112,9 +112,8 @@ std::vector<std::string> crossings(std::string_view file, std::string_view sourc
     std::vector<std::string> found;
     for (const Include& include : includes_in(source))
         if (!is_allowed(file, *door, include))
-            found.push_back(std::string(file) + ":" + std::to_string(include.line) +
-                            " includes " + include.path + ", which " + std::string(door->place) +
-                            " may not");
+            found.push_back(std::string(file) + ":" + std::to_string(include.line) + " includes " +
+                            include.path + ", which " + std::string(door->place) + " may not");
     return found;
 }
 

@@ -71,7 +71,7 @@ TEST(Walls, EmbreeLivesInOneFile) {
 
 TEST(Walls, LowerRoomsOfTheSolverNeverIncludeHigherOnes) {
     const std::vector<const char*> upwards = {
-        "solver/scene/", "solver/mesh/", "solver/rays/", "solver/form_factors/",
+        "solver/scene/",     "solver/mesh/",     "solver/rays/", "solver/form_factors/",
         "solver/transport/", "solver/accuracy/", "solver/solve_"};
     for (std::size_t low = 0; low < upwards.size(); ++low)
         for (std::size_t high = low + 1; high < upwards.size(); ++high) {
