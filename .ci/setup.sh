@@ -31,10 +31,11 @@ install_packages() {
             fail "neither root nor sudo; let root run: apt-get install -y --no-install-recommends ${missing[*]}"
         become=(sudo)
     fi
-    "${become[@]}" apt-get update -q </dev/null ||
+    "${become[@]}" apt-get -o DPkg::Lock::Timeout=300 update -q </dev/null ||
         echo "the package lists could not all be renewed; trying with those there are" >&2
     "${become[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get install -q -y --no-install-recommends "${missing[@]}" </dev/null ||
+        apt-get -o DPkg::Lock::Timeout=300 install -q -y --no-install-recommends \
+        "${missing[@]}" </dev/null ||
         fail "apt-get could not install ${missing[*]}"
 }
 

@@ -146,7 +146,7 @@ struct Solver {
     bool find_form_factors(const RayScene& rays) {
         const auto engine = make_engine(scene, solution.mesh, rays, solution.settings);
         StopReason stopped = StopReason::tolerance;
-        exchange = build_exchange(*engine, solution.mesh, [&](double fraction) {
+        exchange = build_exchange(*engine, scene, solution.mesh, [&](double fraction) {
             stopped = watch.step({Stage::form_factors, fraction, 0, 0.0});
             return stopped == StopReason::tolerance;
         });

@@ -4,6 +4,7 @@
 #include "solver/mesh/make_patches.h"
 #include "solver/rays/low_discrepancy.h"
 #include "solver/rays/patch_sampler.h"
+#include "solver/rays/penumbra.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -15,7 +16,7 @@ namespace patchlight {
 namespace {
 
 constexpr int fewest_samples = 4;  // of a patch that a sensor sees
-constexpr int most_samples = 4096;
+constexpr int most_samples = 16384;
 constexpr double total_samples = 4096.0;  // of a sensor, shared by what patches contribute
 constexpr int penumbra_effort = 16;       // times as many where the first samples disagree
 constexpr float off_contact =
@@ -26,6 +27,7 @@ struct Target {  // a patch as a sensor sees it
     double factor = 0.0;  // unoccluded [1]
     float clear_weight = 0.0f, weight = 0.0f;
     int clear = 0, taken = 0;
+    int count = 0;  // of its first samples
 };
 
 struct SensorView {
@@ -87,30 +89,36 @@ SensorReport gather(const Scene& scene, const PatchMesh& mesh, const Patches& pa
         const double factor =
             point_factor(view.sensor.position, view.sensor.normal, patches.polygons[j], normal);
         if (!(factor > 0.0)) continue;
-        targets.push_back({j, factor});
+        targets.push_back({});
+        targets.back().patch = j;
+        targets.back().factor = factor;
         total += factor * luminance(radiosity[j]);
     }
+    std::vector<FirstLook> looks;
+    const auto sample = [&](Target& target, int first, int count) {
+        const float lift = view.ray_scene.lift(mesh.patches[target.patch].surface);
+        view.sample(target, patches.samplers[target.patch], lift, mix(key, target.patch), first,
+                    count);
+    };
+    for (Target& target : targets) {
+        const double share = target.factor * luminance(radiosity[target.patch]) / total;
+        target.count = std::clamp(static_cast<int>(std::lround(total_samples * share)),
+                                  fewest_samples, most_samples / penumbra_effort);
+        sample(target, 0, target.count);
+        looks.push_back({mesh.patches[target.patch].surface, target.clear, target.taken});
+    }
+    const std::vector<bool> chosen = in_penumbra(looks);
     SensorReport report;
     double variance = 0.0;
-    for (Target& target : targets) {
-        const double brightness = luminance(radiosity[target.patch]);
-        const double share = target.factor * brightness / total;
-        const int count = std::clamp(static_cast<int>(std::lround(total_samples * share)),
-                                     fewest_samples, most_samples / penumbra_effort);
-        const PatchSampler& sampler = patches.samplers[target.patch];
-        const float lift = view.ray_scene.lift(mesh.patches[target.patch].surface);
-        const std::uint64_t own = mix(key, target.patch);
-        view.sample(target, sampler, lift, own, 0, count);
-        if (target.clear > 0 && target.clear < target.taken) {
-            view.sample(target, sampler, lift, own, count, (penumbra_effort - 1) * count);
-            const double clear = static_cast<double>(target.clear_weight / target.weight);
-            const double deviation = target.factor * brightness;
-            variance += deviation * deviation * clear * (1.0 - clear) / target.taken;
-        }
-        const double visibility = target.weight > 0.0f ? static_cast<double>(target.clear_weight) /
-                                                             static_cast<double>(target.weight)
-                                                       : 1.0;
-        report.irradiance += visibility * target.factor * radiosity[target.patch];
+    for (std::size_t t = 0; t < targets.size(); ++t) {
+        Target& target = targets[t];
+        if (chosen[t]) sample(target, target.count, (penumbra_effort - 1) * target.count);
+        const double clear =
+            target.weight > 0.0f ? static_cast<double>(target.clear_weight / target.weight) : 1.0;
+        report.irradiance += clear * target.factor * radiosity[target.patch];
+        const double contribution = target.factor * luminance(radiosity[target.patch]);
+        if (target.taken > 0)
+            variance += contribution * contribution * clear * (1.0 - clear) / target.taken;
     }
     report.error = std::sqrt(variance);
     return report;

@@ -1,5 +1,7 @@
 #include "solver/form_factors/analytic_engine.h"
 
+#include "solver/rays/penumbra.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +10,8 @@ namespace patchlight {
 namespace {
 
 constexpr int fewest_samples = 4;   // of a pair that something may block
-constexpr int most_samples = 2048;  // of one pair
-constexpr int penumbra_effort = 8;  // times as many where the first samples disagree
+constexpr int most_samples = 4096;  // of one pair
+constexpr int penumbra_effort = 8;  // times as many where the first samples of neighbours disagree
 
 }  // namespace
 
@@ -23,37 +25,42 @@ AnalyticEngine::AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const 
       outside_rays_(scene, mesh, ray_scene, settings.outside_rays, mix(settings.seed, 0x6f7574)),
       visibility_(outside_rays_, ray_scene, most_samples, mix(settings.seed, 0x766973)) {}
 
-std::vector<VisibilityQuery> AnalyticEngine::first_queries(const std::vector<double>& factors,
-                                                           const std::vector<PatchIndex>& columns,
+std::vector<VisibilityQuery> AnalyticEngine::first_queries(const FactorRow& row,
                                                            PatchIndex i) const {
     std::vector<VisibilityQuery> queries;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        if (!blockers_.may_block(i, columns[k])) continue;
+    double total = 0.0;
+    for (std::size_t k = 0; k < row.columns.size(); ++k) {
+        if (!blockers_.may_block(i, row.columns[k])) continue;
         VisibilityQuery query;
         query.i = i;
-        query.j = columns[k];
-        const double share = std::max(
-            factors[k], factors[k] * mesh_.patches[i].area / mesh_.patches[columns[k]].area);
-        query.count =
-            std::clamp(static_cast<int>(std::lround(settings_.rays * std::min(share, 1.0))),
-                       fewest_samples, most_samples / penumbra_effort);
+        query.j = row.columns[k];
+        query.share = row.factors[k];
+        total += query.share;
         queries.push_back(query);
     }
+    for (VisibilityQuery& query : queries)
+        query.count =
+            std::clamp(static_cast<int>(std::lround(settings_.rays * query.share / total)),
+                       fewest_samples, most_samples / penumbra_effort);
     return queries;
 }
 
 void AnalyticEngine::refine(std::vector<VisibilityQuery>& queries) const {
-    std::vector<VisibilityQuery> mixed;
+    std::vector<FirstLook> looks;
+    for (const VisibilityQuery& query : queries)
+        looks.push_back({mesh_.patches[query.j].surface, query.clear, query.taken});
+    const std::vector<bool> chosen = in_penumbra(looks);
+    std::vector<VisibilityQuery> more;
     std::vector<std::size_t> places;
     for (std::size_t q = 0; q < queries.size(); ++q) {
-        if (queries[q].clear == 0 || queries[q].clear == queries[q].taken) continue;
-        mixed.push_back(queries[q]);
-        mixed.back().first = queries[q].count;
-        mixed.back().count = (penumbra_effort - 1) * queries[q].count;
+        if (!chosen[q]) continue;
+        more.push_back(queries[q]);
+        more.back().first = queries[q].count;
+        more.back().count = (penumbra_effort - 1) * queries[q].count;
         places.push_back(q);
     }
-    visibility_.measure(mixed);
-    for (std::size_t m = 0; m < mixed.size(); ++m) queries[places[m]] = mixed[m];
+    visibility_.measure(more);
+    for (std::size_t m = 0; m < more.size(); ++m) queries[places[m]] = more[m];
 }
 
 void AnalyticEngine::row(PatchIndex i, FactorRow& row) const {
@@ -63,7 +70,7 @@ void AnalyticEngine::row(PatchIndex i, FactorRow& row) const {
         const double exchange = exchange_(i, j);
         if (exchange > 0.0) row.add(j, exchange / area, 0.0, exchange / area);
     }
-    std::vector<VisibilityQuery> queries = first_queries(row.factors, row.columns, i);
+    std::vector<VisibilityQuery> queries = first_queries(row, i);
     if (queries.empty()) return;
     visibility_.measure(queries);
     refine(queries);

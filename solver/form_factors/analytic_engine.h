@@ -27,9 +27,7 @@ class AnalyticEngine final : public FormFactorEngine {
     Outside outside(PatchIndex i) const override;
 
   private:
-    std::vector<VisibilityQuery> first_queries(const std::vector<double>& factors,
-                                               const std::vector<PatchIndex>& columns,
-                                               PatchIndex i) const;
+    std::vector<VisibilityQuery> first_queries(const FactorRow& row, PatchIndex i) const;
     void refine(std::vector<VisibilityQuery>& queries) const;
 
     const PatchMesh& mesh_;

@@ -1,6 +1,7 @@
 #include "solver/form_factors/exchange_matrix.h"
 
 #include "solver/form_factors/join_halves.h"
+#include "solver/form_factors/outside_shares.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -48,30 +49,6 @@ std::vector<bool> uncertain_rows(const ExchangeMatrix& matrix) {
     return uncertain;
 }
 
-/// Variances of backs and escaped: binomial, but the scene's own share stands in for one ray more,
-/// so that a patch none of whose rays left is certain of it only where none of the scene's did.
-void set_outside_variance(ExchangeMatrix& matrix, const std::vector<Outside>& outside) {
-    double backs = 0.0, escaped = 0.0, rays = 0.0;
-    for (const Outside& o : outside) {
-        backs += o.backs * static_cast<double>(o.rays);
-        escaped += o.escaped * static_cast<double>(o.rays);
-        rays += static_cast<double>(o.rays);
-    }
-    const auto variance = [](double share, double n, double scene_share) {
-        const double p = (share * n + scene_share) / (n + 1.0);
-        return p * (1.0 - p) / n;
-    };
-    for (std::size_t i = 0; i < outside.size(); ++i) {
-        const double n = static_cast<double>(outside[i].rays);
-        matrix.backs.push_back(outside[i].backs);
-        matrix.escaped.push_back(outside[i].escaped);
-        matrix.backs_variance.push_back(n > 0.0 ? variance(outside[i].backs, n, backs / rays)
-                                                : 0.0);
-        matrix.escaped_variance.push_back(n > 0.0 ? variance(outside[i].escaped, n, escaped / rays)
-                                                  : 0.0);
-    }
-}
-
 bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
                 std::vector<std::optional<Outside>>& outside, const FractionObserver& observe) {
     const std::size_t n = matrix.size();
@@ -96,8 +73,8 @@ bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
 
 }  // namespace
 
-ExchangeMatrix build_exchange(const FormFactorEngine& engine, const PatchMesh& mesh,
-                              const FractionObserver& observe) {
+ExchangeMatrix build_exchange(const FormFactorEngine& engine, const Scene& scene,
+                              const PatchMesh& mesh, const FractionObserver& observe) {
     ExchangeMatrix matrix;
     double total = 0.0;
     for (const Patch& patch : mesh.patches) total += patch.area;
@@ -120,7 +97,7 @@ ExchangeMatrix build_exchange(const FormFactorEngine& engine, const PatchMesh& m
                  std::abs(1.0 - sums[i]) > exact_closure)  // else: no ray where nothing blocks
             outside[i] = engine.outside(static_cast<PatchIndex>(i));
     });
-    set_outside_variance(matrix, outside);
+    set_outside(matrix, outside, make_clusters(scene, mesh));
     for (std::size_t i = 0; i < mesh.size(); ++i)
         if (!known[i]) matrix.rays += outside[i].rays;
     if (engine.pairwise()) matrix.measured = measure_closure(matrix);

@@ -33,8 +33,8 @@ using FractionObserver = std::function<bool(double fraction)>;
 
 /// Asks an engine for all its rows, in parallel, and joins the two halves of each pair: an entry
 /// that rays counted from both ends becomes their sum over both, the most likely value.
-ExchangeMatrix build_exchange(const FormFactorEngine& engine, const PatchMesh& mesh,
-                              const FractionObserver& observe);
+ExchangeMatrix build_exchange(const FormFactorEngine& engine, const Scene& scene,
+                              const PatchMesh& mesh, const FractionObserver& observe);
 
 /// Defects of the matrix as it stands.
 ClosureReport measure_closure(const ExchangeMatrix& matrix);

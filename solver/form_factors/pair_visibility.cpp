@@ -14,10 +14,10 @@ struct PairVisibility::Packet {
 
 double VisibilityQuery::variance() const {
     const double n = taken;
-    const double share = (n * visibility() + 1.0) / (n + 2.0);
+    const double clear_share = (n * visibility() + 1.0) / (n + 2.0);
     const double effective = std::min(n, static_cast<double>(weight) * static_cast<double>(weight) /
                                              std::max(1e-30, static_cast<double>(weight_squared)));
-    return share * (1.0 - share) / (effective + 1.0);
+    return clear_share * (1.0 - clear_share) / (effective + 1.0);
 }
 
 PairVisibility::PairVisibility(const HemisphereRays& samplers, const RayScene& ray_scene,

@@ -11,7 +11,8 @@ namespace patchlight {
 /// A pair of patches whose mutual visibility rays shall measure.
 struct VisibilityQuery {
     PatchIndex i = 0, j = 0;
-    int first = 0, count = 0;                                         // sample numbers to take now
+    double share = 0.0;        // of the light in question that it carries [1]
+    int first = 0, count = 0;  // sample numbers to take now
     float clear_weight = 0.0f, weight = 0.0f, weight_squared = 0.0f;  // sums over samples so far
     int clear = 0, taken = 0;
 

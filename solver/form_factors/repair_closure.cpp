@@ -10,7 +10,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr int most_passes = 8;   // a pass may push entries to their bounds; the next goes without
+constexpr int most_passes = 20;  // a pass may push entries to their bounds; the next goes without
 constexpr int most_steps = 200;  // of conjugate gradients
 constexpr double closed = 1e-9;  // largest closure defect to stop at [1]
 constexpr double regularisation =

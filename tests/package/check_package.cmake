@@ -22,20 +22,41 @@ function(expect_file path)
     endif()
 endfunction()
 
+function(configure_outside from to)
+    run("${CMAKE_COMMAND}" -S "${from}" -B "${to}" -G "${generator}" -D CMAKE_BUILD_TYPE=Release
+        "-DCMAKE_CXX_COMPILER=${compiler}" "-DCMAKE_PREFIX_PATH=${prefix}"
+        "-DCMAKE_CXX_FLAGS=${warnings}")
+endfunction()
+
 file(REMOVE_RECURSE "${scratch}")
 set(prefix "${scratch}/a place")
 run("${CMAKE_COMMAND}" --install "${build}" --prefix "${scratch}/first")
 file(RENAME "${scratch}/first" "${prefix}")
 
-run("${CMAKE_COMMAND}" -S "${example}" -B "${scratch}/outside" -G "${generator}"
-    -D CMAKE_BUILD_TYPE=Release "-DCMAKE_CXX_COMPILER=${compiler}"
-    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_FLAGS=-Wall -Wextra -Wshadow -Wconversion -Werror")
+configure_outside("${example}" "${scratch}/outside")
 run("${CMAKE_COMMAND}" --build "${scratch}/outside")
 run("${scratch}/outside/light_a_room" "${scratch}/room.pfm")
 expect_match("${printed}" "table: [1-9][0-9]* lux")
 expect_match("${printed}" "energy: 4000.0 lm emitted, (4000|399[0-9]).[0-9] lm absorbed, 0.0 lm escaped")
 expect_file("${scratch}/room.pfm")
 
+# Each installed header finds what it includes.
+file(GLOB_RECURSE headers RELATIVE "${prefix}/include/patchlight" "${prefix}/include/patchlight/*.h")
+list(TRANSFORM headers REPLACE "(.+)" "#include \"\\1\"\n")
+string(CONCAT source ${headers})
+file(WRITE "${scratch}/headers/all.cpp" "${source}")
+file(WRITE "${scratch}/headers/CMakeLists.txt" [[
+cmake_minimum_required(VERSION 3.25)
+project(headers LANGUAGES CXX)
+find_package(patchlight REQUIRED)
+add_library(headers OBJECT all.cpp)
+target_link_libraries(headers PRIVATE patchlight::solver patchlight::raster)
+]])
+configure_outside("${scratch}/headers" "${scratch}/headers/build")
+run("${CMAKE_COMMAND}" --build "${scratch}/headers/build")
+
+# The program draws with the image module that was installed with it.
+expect_file("${prefix}/${libdir}/patchlight/patchlight_image.so")
 run("${prefix}/bin/patchlight" --version)
 string(REPLACE "." "\\." dotted "${version}")
 expect_match("${printed}" "${dotted}")

@@ -106,6 +106,22 @@ TEST(CommandLine, OptionsOverrideTheScene) {
     EXPECT_EQ(result["threads"], 1);
 }
 
+TEST(CommandLine, TheResultIsTheSameFromAnyNumberOfThreads) {
+    const auto hash = [](const std::string& threads) {
+        const Outcome outcome =
+            run_program("solve " + box_file() + " --stats - --threads " + threads);
+        return nlohmann::json::parse(outcome.out)["result_hash"];
+    };
+    EXPECT_EQ(hash("1"), hash("3"));
+}
+
+TEST(CommandLine, WhatTheSolverRefusesIsBlamedOnWhoGaveIt) {
+    expect_refused("solve " + box_file() + " --patch-size 1e-6", "--patch-size: ");
+    const std::string scene = std::string(box).replace(box.find("0.7, \"form"), 3, "1e-6");
+    write_test_file("fine.json", scene);
+    expect_refused("solve fine.json", "fine.json: /solve/patch_size: ");
+}
+
 TEST(CommandLine, WrongScenesAreToldWithFileAndPlace) {
     write_test_file("typo.json", R"({"version": 1, "objets": []})");
     expect_refused("solve typo.json", "typo.json: /objets: unknown key 'objets'; did you mean");

@@ -39,6 +39,16 @@ TEST(Walls, EverySourceFileIsLookedAt) {
     EXPECT_FALSE(includes_in(read(root / "solver/solution.h")).empty());
 }
 
+TEST(Walls, TheTopLevelHoldsTheRoomsAndNothingElse) {
+    const std::vector<std::string> known = {"CMakeLists.txt", "Dockerfile", "README.md", "examples",
+                                            "raster",         "server",     "solver",    "tests"};
+    for (const auto& entry : std::filesystem::directory_iterator(root)) {
+        const std::string name = entry.path().filename().string();
+        if (name.starts_with(".") || name.starts_with("build")) continue;
+        EXPECT_TRUE(std::binary_search(known.begin(), known.end(), name)) << name;
+    }
+}
+
 TEST(Walls, HttplibIsIncludedByOneFileAtMost) {
     std::vector<std::string> including;
     for (const std::string& file : sources_below(root))

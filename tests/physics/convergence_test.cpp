@@ -1,0 +1,167 @@
+#include "solver/form_factors/exchange_matrix.h"
+#include "tests/physics/rooms.h"
+
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+
+/// Slope of log y over log x by least squares, and its standard error.
+struct Slope {
+    double value = 0.0, error = 0.0;
+};
+Slope fit(const std::vector<double>& x, const std::vector<double>& y) {
+    const double n = static_cast<double>(x.size());
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const double a = std::log(x[k]), b = std::log(y[k]);
+        sx += a, sy += b, sxx += a * a, sxy += a * b;
+    }
+    const double spread = sxx - sx * sx / n;
+    Slope slope;
+    slope.value = (sxy - sx * sy / n) / spread;
+    const double level = (sy - slope.value * sx) / n;
+    double misfit = 0.0;
+    for (std::size_t k = 0; k < x.size(); ++k)
+        misfit += std::pow(std::log(y[k]) - level - slope.value * std::log(x[k]), 2);
+    slope.error = std::sqrt(misfit / (n - 2.0) / spread);
+    return slope;
+}
+
+/// The Cornell box with its blocks as boxes, white walls, in metres: a lamp of 5 under the ceiling.
+Scene cornell_like() {
+    SceneBuilder builder;
+    const MaterialIndex white = builder.material(0.73, 0.0);
+    builder.box("room", white, {0, 0, 0}, {0.556, 0.5592, 0.5488}, true);
+    builder.polygon("lamp", builder.material(0.78, 5.0),
+                    {{0.213, 0.227, 0.5488},
+                     {0.213, 0.332, 0.5488},
+                     {0.343, 0.332, 0.5488},
+                     {0.343, 0.227, 0.5488}});
+    const auto block = [&](const char* name, double x, double y, double angle, double height) {
+        const Eigen::Isometry3d pose(Eigen::Translation3d(x, y, 0.0) *
+                                     Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+        builder.box(name, white, {-0.08, -0.08, 0}, {0.08, 0.08, height}, false, pose);
+    };
+    block("short", 0.186, 0.169, -0.29, 0.165);
+    block("tall", 0.368, 0.351, 0.3, 0.33);
+    return builder.scene;
+}
+
+/// Area-weighted relative difference of radiosity between two solutions on one mesh.
+double difference(const Solution& a, const Solution& b) {
+    double squared = 0.0, size = 0.0;
+    for (PatchIndex i = 0; i < a.mesh.size(); ++i) {
+        squared += a.mesh.patches[i].area * std::pow(a.radiosity[i][0] - b.radiosity[i][0], 2);
+        size += a.mesh.patches[i].area * std::pow(b.radiosity[i][0], 2);
+    }
+    return std::sqrt(squared / size);
+}
+
+/// Slopes are judged at four standard errors of the fit, and never finer than this.
+constexpr double least_band = 0.1;
+double band(const Slope& slope) { return std::max(least_band, 4.0 * slope.error); }
+
+}  // namespace
+
+TEST(Convergence, RayCastErrorFallsAtLeastAsIndependentRaysWould) {
+    const Scene scene = cornell_like();
+    SolveSettings settings;
+    settings.engine = Engine::ray_cast;
+    settings.patch_size = 0.08;
+    settings.tolerance = 1e-7;
+    settings.rays = 1 << 17;
+    settings.seed = 99;
+    const Solution reference = solve(scene, settings);
+    std::vector<double> rays, errors;
+    for (int count = 64; count <= 4096; count *= 4) {
+        double mean_square = 0.0;
+        constexpr int seeds = 4;
+        for (int seed = 1; seed <= seeds; ++seed) {
+            settings.rays = count;
+            settings.seed = static_cast<std::uint64_t>(seed);
+            mean_square += std::pow(difference(solve(scene, settings), reference), 2) / seeds;
+        }
+        rays.push_back(count);
+        errors.push_back(std::sqrt(mean_square));
+    }
+    const Slope slope = fit(rays, errors);
+    RecordProperty("slope", std::to_string(slope.value));
+    EXPECT_LT(slope.value, -0.5 + band(slope)) << "independent rays: -1/2";
+    EXPECT_GT(slope.value, -1.0 - band(slope))
+        << "scrambled Sobol points in four dimensions: no better than -1";
+}
+
+TEST(Convergence, MeanRadiosityFallsAsTheSquareOfThePatchSize) {
+    // An empty room: exact factors, so that patches are all that errs (order 2 for means).
+    SceneBuilder builder;
+    for (std::size_t f = 0; f < 1; ++f)
+        builder.box("room", builder.material(0.5, 0.0), {0, 0, 0}, {1, 1, 1}, true);
+    builder.scene.surfaces[0].material = builder.material(0.5, 1.0);  // the floor gives off light
+    std::vector<double> sizes, errors;
+    constexpr double converged = 0.171216034;  // mean of the opposite wall (s-d06)
+    for (const int parts : {4, 8, 16}) {
+        SolveSettings settings;
+        settings.patch_size = 1.0 / parts;
+        settings.tolerance = 1e-9;
+        const Solution solution = solve(builder.scene, settings);
+        double power = 0.0;
+        for (PatchIndex i = solution.mesh.first_of_surface[1];
+             i < solution.mesh.first_of_surface[2]; ++i)
+            power += solution.radiosity[i][0] * solution.mesh.patches[i].area;
+        sizes.push_back(*settings.patch_size);
+        errors.push_back(std::abs(power - converged));
+    }
+    const Slope slope = fit(sizes, errors);
+    RecordProperty("slope", std::to_string(slope.value));
+    EXPECT_NEAR(slope.value, 2.0, band(slope));
+}
+
+TEST(Convergence, RadiosityOfTheCornellBoxSettlesWithPatchSize) {
+    const Scene scene = cornell_like();
+    std::vector<double> sizes, errors;
+    const auto means = [&](double patch_size) {
+        SolveSettings settings;
+        settings.patch_size = patch_size;
+        settings.tolerance = 1e-7;
+        settings.rays = 8192;
+        return solve(scene, settings).objects;
+    };
+    const std::vector<ObjectReport> finest = means(0.0125);
+    for (const double patch_size : {0.2, 0.1, 0.05, 0.025}) {
+        const std::vector<ObjectReport> coarse = means(patch_size);
+        double squared = 0.0;
+        for (std::size_t o = 0; o < finest.size(); ++o)
+            squared += std::pow(coarse[o].irradiance[0] / finest[o].irradiance[0] - 1.0, 2) /
+                       static_cast<double>(finest.size());
+        sizes.push_back(patch_size);
+        errors.push_back(std::sqrt(squared));
+    }
+    const Slope slope = fit(sizes, errors);
+    RecordProperty("slope", std::to_string(slope.value));
+    EXPECT_GT(slope.value, 1.0 - band(slope)) << "shadow edges cost piecewise constants one order";
+    EXPECT_LT(slope.value, 2.5 + band(slope));
+    EXPECT_LT(errors.back(), 0.01);
+}
+
+TEST(Convergence, TrueErrorFallsByTheFactorOfGaussSeidelAndStaysUnderTheBound) {
+    const Scene scene = cornell_like();
+    SolveSettings settings;
+    settings.patch_size = 0.08;
+    settings.tolerance = 1e-12;
+    const Solution converged = solve(scene, settings);
+    std::vector<double> errors;
+    for (const int sweeps : {2, 3, 4, 5, 6}) {
+        settings.tolerance = 1e-13;
+        settings.max_iterations = sweeps;
+        const Solution part = solve(scene, settings);
+        errors.push_back(difference(part, converged));
+        ASSERT_TRUE(part.error.algebraic_bound.has_value());
+        EXPECT_GE(*part.error.algebraic_bound, 0.5 * errors.back()) << sweeps;
+        EXPECT_EQ(part.status, Status::limit);
+    }
+    for (std::size_t k = 1; k < errors.size(); ++k) EXPECT_LT(errors[k], 0.7 * errors[k - 1]);
+}
+
+}  // namespace patchlight

@@ -1,0 +1,102 @@
+#include "tests/physics/rooms.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <stdexcept>
+
+namespace patchlight {
+
+MaterialIndex SceneBuilder::material(double reflectance, double exitance) {
+    scene.materials.push_back({"", Rgb::Constant(reflectance), Rgb::Constant(exitance), false});
+    return static_cast<MaterialIndex>(scene.materials.size() - 1);
+}
+
+void SceneBuilder::polygon(const std::string& name, MaterialIndex material,
+                           const std::vector<Vec3>& corners) {
+    scene.objects.push_back({name});
+    add_polygon(scene, static_cast<ObjectIndex>(scene.objects.size() - 1), material, 0, corners,
+                "/objects");
+}
+
+void SceneBuilder::box(const std::string& name, MaterialIndex material, const Vec3& low,
+                       const Vec3& high, bool inward, const Eigen::Isometry3d& pose, int skipped) {
+    constexpr std::array<std::array<int, 4>, 6> outward{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    scene.objects.push_back({name});
+    for (std::uint32_t face = 0; face < 6; ++face) {
+        if (static_cast<int>(face) == skipped) continue;
+        std::vector<Vec3> corners;
+        for (const int k : outward[face])
+            corners.push_back(pose * Vec3((k & 1) ? high.x() : low.x(),
+                                          (k & 2) ? high.y() : low.y(),
+                                          (k & 4) ? high.z() : low.z()));
+        if (inward) std::reverse(corners.begin(), corners.end());
+        add_polygon(scene, static_cast<ObjectIndex>(scene.objects.size() - 1), material, face,
+                    corners, "/objects");
+    }
+}
+
+void SceneBuilder::sensor(const Vec3& position, const Vec3& normal) {
+    scene.sensors.push_back(
+        {"s" + std::to_string(scene.sensors.size()), position, normal.normalized()});
+}
+
+std::vector<Way> every_way() {
+    return {{Engine::analytic, Method::gauss_seidel}, {Engine::ray_cast, Method::gauss_seidel}};
+}
+
+std::string way_name(const testing::TestParamInfo<Way>& info) {
+    const std::string engine = info.param.engine == Engine::analytic ? "Analytic" : "RayCast";
+    return engine + "GaussSeidel";
+}
+
+SolveSettings settings_of(const Way& way) {
+    SolveSettings settings;
+    settings.engine = way.engine;
+    settings.method = way.method;
+    settings.tolerance = 1e-8;
+    return settings;
+}
+
+Solution solve(const Scene& scene, const SolveSettings& settings) {
+    return solve_scene(scene, settings, {});
+}
+
+ObjectIndex scene_object(const Scene& scene, const Solution& solution, PatchIndex i) {
+    return scene.surfaces[solution.mesh.patches[i].surface].object;
+}
+
+std::vector<std::uint32_t> object_vertices(const Scene& scene, const Solution& solution,
+                                           ObjectIndex object) {
+    std::vector<std::uint32_t> vertices;
+    for (std::size_t t = 0; t < solution.display.triangles.size(); ++t)
+        if (scene_object(scene, solution, solution.display.patch[t]) == object)
+            vertices.insert(vertices.end(), solution.display.triangles[t].begin(),
+                            solution.display.triangles[t].end());
+    return vertices;
+}
+
+nlohmann::json reference(const std::string& file) {
+    std::ifstream stream(std::string(PATCHLIGHT_PHYSICS_DATA) + "/" + file);
+    return nlohmann::json::parse(stream);
+}
+
+nlohmann::json reference_case(const std::string& file, const std::string& id) {
+    const nlohmann::json whole = reference(file);
+    for (const auto& entry : whole["cases"])
+        if (entry["id"] == id) return entry;
+    throw std::logic_error("no case " + id);
+}
+
+Vec3 point_of(const nlohmann::json& array) {
+    return {array[0].get<double>(), array[1].get<double>(), array[2].get<double>()};
+}
+
+std::vector<Vec3> points_of(const nlohmann::json& array) {
+    std::vector<Vec3> points;
+    for (const auto& p : array) points.push_back(point_of(p));
+    return points;
+}
+
+}  // namespace patchlight
