@@ -7,10 +7,12 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/../.ci/setup.sh"
 build_release patchlight
 
 say "solving examples/cornell_box.json"
+patchlight=$build/release/server/patchlight
+scene=$root/examples/cornell_box.json
 picture=$build/cornell_box.png
 result=$build/cornell_box.json
-"$build/release/server/patchlight" solve "$root/examples/cornell_box.json" \
-    --image "$picture" --stats "$result" </dev/null
+"$patchlight" solve "$scene" --image "$picture" --stats "$result" </dev/null
+"$patchlight" solve "$scene" </dev/null # without outputs it prints a summary
 
 say "done"
 echo "picture: $picture"

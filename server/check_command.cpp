@@ -2,14 +2,11 @@
 
 #include "server/scene_file.h"
 #include "server/summary.h"
-#include "solver/scene/coplanar.h"
 #include "solver/solve_scene.h"
 
 #include <CLI/CLI.hpp>
 
 #include <iostream>
-#include <utility>
-#include <vector>
 
 namespace patchlight::server {
 
@@ -28,16 +25,13 @@ int CheckCommand::run() const {
     settings_.naming_culprit(shown_path(scene_),
                              [&] { cost = estimate_cost(job.scene, job.settings); });
     const Scene& scene = job.scene;
-    std::vector<Finding> findings = scene.findings;
-    for (Finding& finding : overlap_findings(scene, find_coplanar_overlaps(scene)))
-        findings.push_back(std::move(finding));
     std::cout << "scene:     objects " << scene.objects.size() << ", polygons "
               << scene.surfaces.size() << ", materials " << scene.materials.size() << ", cameras "
               << job.cameras.size() << ", sensors " << scene.sensors.size() << "\n"
               << "patches:   " << cost.patches << "\n"
               << "memory:    " << memory_text(static_cast<double>(cost.memory)) << "\n"
               << "time:      about " << rounded(cost.seconds) << " s on two cores\n"
-              << finding_lines(findings);
+              << finding_lines(find_flaws(scene));
     return 0;
 }
 

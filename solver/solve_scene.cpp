@@ -102,16 +102,20 @@ std::vector<Rgb> exitances(const Scene& scene, const PatchMesh& mesh) {
     return exitance;
 }
 
-void note_light(const Scene& scene, Solution& solution) {
+std::vector<Finding> flaws(const Scene& scene, const CoplanarOverlaps& overlaps) {
+    std::vector<Finding> findings = scene.findings;
+    for (Finding& finding : overlap_findings(scene, overlaps))
+        findings.push_back(std::move(finding));
     const bool lit = std::any_of(
         scene.surfaces.begin(), scene.surfaces.end(),
         [&](const Surface& s) { return (scene.materials[s.material].exitance > 0.0).any(); });
     if (!lit)
-        solution.findings.push_back({"no-emitter",
-                                     {},
-                                     "nothing in the scene gives off light, so all of it is black",
-                                     "give a material `exitance` or `radiance`",
-                                     1});
+        findings.push_back({"no-emitter",
+                            {},
+                            "nothing in the scene gives off light, so all of it is black",
+                            "give a material `exitance` or `radiance`",
+                            1});
+    return findings;
 }
 
 Status status_of(StopReason reason) {
@@ -203,6 +207,10 @@ struct Solver {
 
 }  // namespace
 
+std::vector<Finding> find_flaws(const Scene& scene) {
+    return flaws(scene, find_coplanar_overlaps(scene));
+}
+
 Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe) {
     if (scene.surfaces.empty())
         throw InputError("/objects", "nothing with an area is left to solve");
@@ -212,11 +220,8 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     Solver solver{scene, Watch(observe, settings.time_limit), {}, {}};
     solver.solution.settings = plan.settings;
     solver.solution.why = std::move(plan.why);
-    solver.solution.findings = scene.findings;
     const MeshLines lines = find_mesh_lines(scene);
-    for (Finding& finding : overlap_findings(scene, lines.overlaps))
-        solver.solution.findings.push_back(std::move(finding));
-    note_light(scene, solver.solution);
+    solver.solution.findings = flaws(scene, lines.overlaps);
     solver.cut_patches(lines);
     const RayScene rays(scene, lines.overlaps);
     if (solver.find_form_factors(rays)) solver.solve();

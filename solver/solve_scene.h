@@ -4,6 +4,8 @@
 #include "solver/settings.h"
 #include "solver/solution.h"
 
+#include <vector>
+
 namespace patchlight {
 
 /// What a solve would cost, known before anything is allocated.
@@ -15,6 +17,9 @@ struct CostEstimate {
 
 /// Throws InputError("/solve/...") if a setting asks for what cannot be done.
 CostEstimate estimate_cost(const Scene& scene, const SolveSettings& settings);
+
+/// What the author of the scene should know, before anything is solved.
+std::vector<Finding> find_flaws(const Scene& scene);
 
 /// Solves the radiosity equation B = E + ρ F B of the scene.
 /// Throws InputError if a setting asks for what cannot be done, or if the estimate exceeds

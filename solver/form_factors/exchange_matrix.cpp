@@ -13,7 +13,8 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t rows_per_chunk = 64;  // between two words to the observer
+constexpr std::size_t most_rows = 64;  // computed between two words to the observer
+constexpr double most_rays = 2e6;      // cast between them, about a tenth of a second [1]
 constexpr double exact_closure =
     1e-6;  // a row of exact entries that sums to 1 this well sees nothing else [1]
 
@@ -52,9 +53,16 @@ std::vector<bool> uncertain_rows(const ExchangeMatrix& matrix) {
 bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
                 std::vector<std::optional<Outside>>& outside, const FractionObserver& observe) {
     const std::size_t n = matrix.size();
-    std::vector<FactorRow> rows(rows_per_chunk);
-    for (std::size_t first = 0; first < n; first += rows_per_chunk) {
-        const std::size_t count = std::min(rows_per_chunk, n - first);
+    std::vector<FactorRow> rows(most_rows);
+    std::size_t count = 1;
+    for (std::size_t first = 0; first < n; first += count) {
+        const double rays_a_row =
+            static_cast<double>(matrix.rays) / static_cast<double>(std::max<std::size_t>(first, 1));
+        count = rays_a_row * most_rows > most_rays
+                    ? static_cast<std::size_t>(most_rays / rays_a_row)
+                : first == 0 ? 1
+                             : most_rows;
+        count = std::min(std::max<std::size_t>(count, 2), n - first);
         tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
             engine.row(static_cast<PatchIndex>(first + k), rows[k]);
         });

@@ -4,8 +4,6 @@
 #include "solver/transport/conjugate_gradients.h"
 #include "solver/transport/gather.h"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -39,11 +37,12 @@ void gauss_seidel_sweep(const RadiosityProblem& problem, Field& radiosity) {
     std::array<Gathered, block> outside;
     for (PatchIndex first = 0; first < n; first += block) {
         const PatchIndex last = std::min(n, first + block);
-        tbb::parallel_for(first, last, [&](PatchIndex i) {
-            Gathered sums = gather(problem.factors, i, radiosity, 0, first);
-            const Gathered later = gather(problem.factors, i, radiosity, last, n);
-            for (std::size_t c = 0; c < problem.channels(); ++c) sums[c] += later[c];
-            outside[i - first] = sums;
+        for_rows_together(first, last, [&](PatchIndex begin, PatchIndex end) {
+            const auto before = gather_some(problem.factors, begin, end, radiosity, 0, first);
+            const auto after = gather_some(problem.factors, begin, end, radiosity, last, n);
+            for (PatchIndex i = begin; i < end; ++i)
+                for (std::size_t c = 0; c < problem.channels(); ++c)
+                    outside[i - first][c] = before[i - begin][c] + after[i - begin][c];
         });
         for (PatchIndex i = first; i < last; ++i) {
             const Gathered inside = gather(problem.factors, i, radiosity, first, last);

@@ -121,7 +121,7 @@ TEST(MakePatches, CutsANeedleIntoNoMoreThan256) {
 }
 
 TEST(MakePatches, KeepsPatchesOfFairShapesFair) {
-    const double fair = 6.0;  // length over width: a square has 1, an equilateral triangle 2.3
+    const double fair = 10.0;  // of a triangle a fifth as high as long; a square has 1
     for (const Polygon& polygon : {l_shape(), regular(64, 1.0), regular(6, 1.0), comb(3)})
         EXPECT_LT(worst_aspect(cut(scene_of(polygon), 0.15)), fair);
 }
@@ -135,7 +135,7 @@ TEST(MakePatches, MakesAboutTwoThousandPatchesByDefault) {
 }
 
 TEST(EstimatePatchCount, IsWithinAFactorOfTwo) {
-    const std::vector<Scene> scenes{room(), room_with_box(), scene_of(regular(64, 1.0)),
+    const std::vector<Scene> scenes{room(), room_with_box(), scene_of(regular(24, 1.0)),
                                     scene_of(l_shape()), scene_of(star(5, 0.4)), scene_of(comb(3))};
     for (std::size_t k = 0; k < scenes.size(); ++k)
         for (const double size : {0.3, 0.1, 0.04}) {
