@@ -163,8 +163,6 @@ struct Solver {
         solution.form_factors.measured = exchange.measured;
         repair_closure(exchange);
         solution.form_factors.repaired = measure_closure(exchange);
-        solution.form_factors.open = std::any_of(exchange.escaped.begin(), exchange.escaped.end(),
-                                                 [](double e) { return e > 0.0; });
         return true;
     }
 
@@ -191,6 +189,8 @@ struct Solver {
             solution.why += " Sweeps crawled, so conjugate gradients took over.";
         solution.energy =
             measure_energy(scene, solution.mesh, exchange, solution.radiosity, solution.irradiance);
+        for (PatchIndex i = 0; i < solution.mesh.size(); ++i)
+            if (exchange.escaped[i] > 0.0 && (solution.radiosity[i] > 0.0).any()) solution.form_factors.open = true;
         solution.seconds.solve = watch.lap();
     }
 
