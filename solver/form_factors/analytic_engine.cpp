@@ -1,5 +1,6 @@
 #include "solver/form_factors/analytic_engine.h"
 
+#include "solver/form_factors/four_samples.h"
 #include "solver/rays/penumbra.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace patchlight {
 
 namespace {
 
-constexpr int fewest_samples = 4;   // of a pair that something may block
 constexpr int most_samples = 4096;  // of one pair
 constexpr int penumbra_effort = 8;  // times as many where the first samples of neighbours disagree
 
@@ -38,10 +38,11 @@ std::vector<VisibilityQuery> AnalyticEngine::first_queries(const FactorRow& row,
         total += query.share;
         queries.push_back(query);
     }
-    for (VisibilityQuery& query : queries)
+    for (VisibilityQuery& query : queries) {
+        const int wanted = static_cast<int>(std::lround(settings_.rays * query.share / total));
         query.count =
-            std::clamp(static_cast<int>(std::lround(settings_.rays * query.share / total)),
-                       fewest_samples, most_samples / penumbra_effort);
+            std::clamp((wanted + four - 1) / four * four, four, most_samples / penumbra_effort);
+    }
     return queries;
 }
 

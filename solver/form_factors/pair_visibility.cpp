@@ -1,14 +1,15 @@
 #include "solver/form_factors/pair_visibility.h"
 
+#include "solver/form_factors/four_samples.h"
+
 #include <algorithm>
-#include <bit>
 
 namespace patchlight {
 
 struct PairVisibility::Packet {
     RayBatch segments;
     std::array<float, ray_batch> weight;
-    std::array<std::uint32_t, ray_batch> query;
+    std::array<std::uint32_t, ray_batch / four> query;  // of each four lanes
     int size = 0;
 };
 
@@ -30,8 +31,9 @@ PairVisibility::PairVisibility(const HemisphereRays& samplers, const RayScene& r
 void PairVisibility::trace(Packet& packet, std::vector<VisibilityQuery>& queries) const {
     const std::uint32_t blocked = ray_scene_.blocked(packet.segments, packet.size);
     for (int k = 0; k < packet.size; ++k) {
-        VisibilityQuery& query = queries[packet.query[k]];
         const float weight = packet.weight[k];
+        if (!(weight > 0.0f)) continue;
+        VisibilityQuery& query = queries[packet.query[k / four]];
         query.weight += weight;
         query.weight_squared += weight * weight;
         ++query.taken;
@@ -52,25 +54,12 @@ void PairVisibility::measure(std::vector<VisibilityQuery>& queries) const {
             static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32),
             static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(b >> 32)};
         const PatchSampler &from = samplers_.sampler(low), &to = samplers_.sampler(high);
-        const RayPoint above_from = samplers_.lift(low) * from.normal,
-                       above_to = samplers_.lift(high) * to.normal;
-        for (int n = query.first; n < query.first + query.count; ++n) {
-            const auto u = [&](std::size_t d) {
-                return points_.at(d, static_cast<std::size_t>(n), seeds[d]);
-            };
-            const RayPoint x = from.at(u(0), u(1)) + above_from, y = to.at(u(2), u(3)) + above_to;
-            const RayPoint ray = y - x;
-            const float squared = ray.squaredNorm();
-            const float weight = std::max(0.0f, ray.dot(from.normal)) *
-                                 std::max(0.0f, -ray.dot(to.normal)) / (squared * squared);
-            if (!(weight > 0.0f)) continue;
-            const auto k = static_cast<std::size_t>(packet.size++);
-            packet.segments.ox[k] = x.x(), packet.segments.oy[k] = x.y(),
-            packet.segments.oz[k] = x.z();
-            packet.segments.dx[k] = ray.x(), packet.segments.dy[k] = ray.y(),
-            packet.segments.dz[k] = ray.z();
-            packet.weight[k] = weight;
-            packet.query[k] = q;
+        const PairEnds ends{from, to, samplers_.lift(low) * from.normal,
+                            samplers_.lift(high) * to.normal, seeds};
+        for (int n = query.first; n < query.first + query.count; n += four) {
+            make_four_samples(ends, points_, n, packet.size, packet.segments, packet.weight);
+            packet.query[packet.size / four] = q;
+            packet.size += four;
             if (packet.size == ray_batch) trace(packet, queries);
         }
     }

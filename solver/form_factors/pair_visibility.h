@@ -32,7 +32,8 @@ class PairVisibility {
     PairVisibility(const HemisphereRays& samplers, const RayScene& ray_scene, int most_samples,
                    std::uint64_t seed);
 
-    /// Takes samples [first, first + count) of every query, in packets across queries.
+    /// Takes samples [first, first + count) of every query, both multiples of four, in packets
+    /// across queries.
     void measure(std::vector<VisibilityQuery>& queries) const;
 
   private:

@@ -18,7 +18,9 @@ inline std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
 
 /// Nested uniform scramble of a number whose bits are in reverse order
 /// (Laine & Karras 2011; constants of Burley, "Practical Hash-based Owen Scrambling", 2020).
-inline std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
+/// Also for vectors of such numbers.
+template <typename Word>
+inline Word scramble_reversed(Word x, Word seed) {
     x += seed;
     x ^= x * 0x6c50b47cu;
     x ^= x * 0xb82f1e52u;
@@ -27,11 +29,13 @@ inline std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed) {
     return x;
 }
 
-inline std::uint32_t reverse_bits(std::uint32_t x) {
+template <typename Word>
+inline Word reverse_bits(Word x) {
     x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
     x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
     x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
-    return __builtin_bswap32(x);
+    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+    return (x >> 16) | (x << 16);
 }
 
 /// The first points of the four-dimensional Sobol sequence, bits reversed so that a scramble is a
