@@ -1,7 +1,9 @@
 #include "solver/display/smooth_groups.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
+#include <optional>
+#include <span>
 
 namespace patchlight {
 
@@ -12,6 +14,40 @@ constexpr double crease_cosine = 0.98480775301220802;  // of 10 degrees: more is
 bool smooth_between(const Surface& a, const Surface& b) {
     return a.object == b.object && a.material == b.material && a.side == b.side &&
            a.normal.dot(b.normal) >= crease_cosine;
+}
+
+struct Corner {
+    PatchIndex patch = 0;
+    std::size_t corner = 0;             // of the patch
+    VertexIndex before = 0, after = 0;  // the vertices next to it round the patch
+};
+
+/// For each patch round vertex v, the first one of its smooth group.
+std::vector<std::size_t> group_ring(const Scene& scene, const PatchMesh& mesh, VertexIndex v,
+                                    std::span<const Corner> ring) {
+    std::vector<std::size_t> leader(ring.size());
+    std::iota(leader.begin(), leader.end(), std::size_t{0});
+    const auto root = [&](std::size_t a) {
+        while (leader[a] != a) a = leader[a];
+        return a;
+    };
+    const auto shared_edge = [](const Corner& p, const Corner& q) -> std::optional<VertexIndex> {
+        if (p.before == q.after || p.before == q.before) return p.before;
+        if (p.after == q.before || p.after == q.after) return p.after;
+        return std::nullopt;
+    };
+    for (std::size_t a = 0; a < ring.size(); ++a)
+        for (std::size_t b = a + 1; b < ring.size(); ++b) {
+            const std::optional<VertexIndex> other = shared_edge(ring[a], ring[b]);
+            if (!other || mesh.is_crease(v, *other)) continue;
+            if (!smooth_between(scene.surfaces[mesh.patches[ring[a].patch].surface],
+                                scene.surfaces[mesh.patches[ring[b].patch].surface]))
+                continue;
+            const auto [low, high] = std::minmax({root(a), root(b)});
+            leader[high] = low;
+        }
+    for (std::size_t a = 0; a < ring.size(); ++a) leader[a] = root(a);
+    return leader;
 }
 
 }  // namespace
@@ -26,28 +62,29 @@ SmoothGroups find_smooth_groups(const Scene& scene, const PatchMesh& mesh) {
     };
     for_each_corner([&](PatchIndex i, std::size_t k) { ++start[mesh.patches[i].vertices[k] + 1]; });
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) start[v + 1] += start[v];
-    std::vector<std::pair<PatchIndex, std::size_t>> around(start.back());
+    std::vector<Corner> around(start.back());
     std::vector<std::size_t> next(start.begin(), start.end() - 1);
     for_each_corner([&](PatchIndex i, std::size_t k) {
-        around[next[mesh.patches[i].vertices[k]]++] = {i, k};
+        const Patch& patch = mesh.patches[i];
+        const std::size_t n = patch.corner_count();
+        around[next[patch.vertices[k]]++] = {i, k, patch.vertices[(k + n - 1) % n],
+                                             patch.vertices[(k + 1) % n]};
     });
 
     SmoothGroups groups;
     groups.of_patch.resize(mesh.size());
     for (VertexIndex v = 0; v < mesh.vertices.size(); ++v) {
-        const std::size_t first_group = groups.corners.size();
-        for (std::size_t at = start[v]; at < start[v + 1]; ++at) {
-            const auto [i, k] = around[at];
-            const Surface& surface = scene.surfaces[mesh.patches[i].surface];
-            std::size_t g = first_group;
-            while (g < groups.corners.size() &&
-                   !smooth_between(
-                       surface,
-                       scene.surfaces[mesh.patches[groups.corners[g].patches.front()].surface]))
-                ++g;
-            if (g == groups.corners.size()) groups.corners.push_back({v, {}});
-            groups.corners[g].patches.push_back(i);
-            groups.of_patch[i][k] = static_cast<std::uint32_t>(g);
+        const std::span<const Corner> ring(around.data() + start[v], start[v + 1] - start[v]);
+        const std::vector<std::size_t> leader = group_ring(scene, mesh, v, ring);
+        std::vector<std::size_t> number(ring.size());
+        for (std::size_t a = 0; a < ring.size(); ++a) {
+            if (leader[a] == a) {
+                number[a] = groups.corners.size();
+                groups.corners.push_back({v, {}});
+            }
+            const std::size_t g = number[a] = number[leader[a]];
+            groups.corners[g].patches.push_back(ring[a].patch);
+            groups.of_patch[ring[a].patch][ring[a].corner] = static_cast<std::uint32_t>(g);
         }
     }
     for (PatchIndex i = 0; i < mesh.size(); ++i)

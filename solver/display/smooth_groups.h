@@ -6,8 +6,9 @@
 
 namespace patchlight {
 
-/// At each vertex, the patches round it that form one smooth surface: of one object, material and
-/// side, their normals within a few degrees. Each such corner is a vertex of the display mesh.
+/// At each vertex, the patches round it that form one smooth surface: neighbours over edges that
+/// are no creases, of one object, material and side, their normals within a few degrees. Each such
+/// corner is a vertex of the display mesh.
 struct SmoothCorner {
     VertexIndex vertex = 0;
     std::vector<PatchIndex> patches;

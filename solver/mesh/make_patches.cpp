@@ -92,6 +92,9 @@ struct Mesher {
             number.push_back(static_cast<VertexIndex>(mesh.vertices.size()));
             mesh.vertices.push_back(frame.lift(flat.points[p]));
         }
+        for (const auto& edge : flat.crease_edges)
+            mesh.creases.push_back({std::min(number[edge[0]], number[edge[1]]),
+                                    std::max(number[edge[0]], number[edge[1]])});
         for (const auto& face : flat.faces)
             add_patch(s, {number[face[0]], number[face[1]], number[face[2]], number[face[3]]});
         for (PatchIndex i = mesh.first_of_surface.back(); i < mesh.size(); ++i)
@@ -181,6 +184,7 @@ PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_
             mesher.add_polygon_patches(s);
         mesher.mesh.first_of_surface.push_back(static_cast<PatchIndex>(mesher.mesh.size()));
     }
+    std::sort(mesher.mesh.creases.begin(), mesher.mesh.creases.end());
     return std::move(mesher.mesh);
 }
 

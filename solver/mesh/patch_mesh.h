@@ -2,6 +2,7 @@
 
 #include "solver/scene/scene.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -29,11 +30,17 @@ struct PatchMesh {
     std::vector<Vec3> vertices;  // [m]
     std::vector<Patch> patches;
     std::vector<PatchIndex> first_of_surface;
-    std::vector<std::array<std::uint32_t, 2>> grid;  // per surface: cells along edges 0-1 and 1-2
-                                                     // of a grid, row by row; {0, 0} if it is none
-    double patch_size = 0.0;                         // longest edge asked for [m]
+    std::vector<std::array<std::uint32_t, 2>> grid;   // per surface: cells along edges 0-1 and 1-2
+                                                      // of a grid, row by row; {0, 0} if it is none
+    std::vector<std::array<VertexIndex, 2>> creases;  // edges on which another surface stands or a
+                                                      // cover ends; lower vertex first, sorted
+    double patch_size = 0.0;                          // longest edge asked for [m]
 
     std::size_t size() const { return patches.size(); }
+    bool is_crease(VertexIndex a, VertexIndex b) const {
+        const std::array<VertexIndex, 2> edge{std::min(a, b), std::max(a, b)};
+        return std::binary_search(creases.begin(), creases.end(), edge);
+    }
 };
 
 }  // namespace patchlight

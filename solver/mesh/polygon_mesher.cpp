@@ -146,6 +146,18 @@ std::vector<Vec2> points_wanted(const Triangulation& triangulation, const Merged
     return wanted;
 }
 
+std::vector<std::array<std::uint32_t, 2>> crease_edges(const Triangulation& triangulation) {
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    for (const Triangulation::Triangle& triangle : triangulation.triangles())
+        for (int k = 0; k < 3; ++k) {
+            if (!triangle.fixed[k] || triangle.across[k] == Triangulation::none) continue;
+            const int a = triangle.vertices[(k + 1) % 3], b = triangle.vertices[(k + 2) % 3];
+            if (a < b)
+                edges.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+        }
+    return edges;
+}
+
 }  // namespace
 
 PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const FlatSegment> creases,
@@ -167,7 +179,7 @@ PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const FlatSegm
         for (const Vec2& p : wanted) triangulation.insert(p);
         merged = merge_triangles(triangulation);
     }
-    return {triangulation.points(), std::move(merged.faces)};
+    return {triangulation.points(), std::move(merged.faces), crease_edges(triangulation)};
 }
 
 }  // namespace patchlight

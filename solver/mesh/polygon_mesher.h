@@ -12,8 +12,9 @@ namespace patchlight {
 /// Quads and triangles (last vertex repeated) over one polygon. The first points are those of the
 /// boundary, as given; the others lie inside.
 struct PolygonMesh {
-    std::vector<Vec2> points;                         // [m]
-    std::vector<std::array<std::uint32_t, 4>> faces;  // counter-clockwise
+    std::vector<Vec2> points;                                // [m]
+    std::vector<std::array<std::uint32_t, 4>> faces;         // counter-clockwise
+    std::vector<std::array<std::uint32_t, 2>> crease_edges;  // edges that lie on creases
 };
 
 struct FlatSegment {

@@ -104,6 +104,11 @@ TEST_P(ClosedScene, NoLightCrossesAWallUnderOneCommonFloor) {
             lit += solution.radiosity[i][0];
     }
     EXPECT_GT(lit, 0.0);
+    for (std::size_t t = 0; t < solution.display.triangles.size(); ++t) {
+        if (solution.mesh.patches[solution.display.patch[t]].centre.x() <= 0.97 + 1e-9) continue;
+        for (const std::uint32_t v : solution.display.triangles[t])
+            ASSERT_EQ(solution.display.radiosity[v][0], 0.0) << "drawn across the foot of the wall";
+    }
 }
 
 TEST_P(ClosedScene, AnyNumberOfThreadsGivesTheSameBytes) {

@@ -54,7 +54,7 @@ TEST(UnoccludedExchange, IsExactlyZeroForBacks) {
     EXPECT_EQ(exchange(square(), above), 0.0);
     EXPECT_EQ(exchange(reversed(square()), reversed(above)), 0.0);
     EXPECT_EQ(exchange(reversed(square()), above), 0.0);
-    EXPECT_EQ(exchange(square(), rectangle(1.5 * x, z, y)), 0.0);  // a wall seen from behind
+    EXPECT_EQ(exchange(square(), rectangle(1.5 * x, y, z)), 0.0);  // a wall seen from behind
 }
 
 TEST(UnoccludedExchange, IsExactlyZeroForCoveredPatches) {
@@ -124,9 +124,10 @@ TEST(UnoccludedExchange, DoesNotDependOnTheOrderOfThePair) {
 }
 
 TEST(UnoccludedExchange, CountsOnlyWhatIsInFrontOfAHorizon) {
-    // A wall that stands through the floor's plane: the floor sees its upper half.
-    const Polygon wall = rectangle(Vec3(0, 0, -1), y, 2.0 * z);
-    EXPECT_NEAR(exchange(square(), wall), perpendicular_rectangles(1, 1, 1), promised);
+    // A wall stands through the floor's plane, one away from it: the floor sees its upper half.
+    const Polygon wall = rectangle(Vec3(-1, 0, -1), y, 2.0 * z);
+    const double exact = 2 * perpendicular_rectangles(1, 2, 1) - perpendicular_rectangles(1, 1, 1);
+    EXPECT_NEAR(exchange(square(), wall), exact, promised * exact);
 }
 
 TEST(UnoccludedExchange, PairsThatCutEachOthersHorizonAgreeWithLambert) {
@@ -148,7 +149,7 @@ TEST(UnoccludedExchange, PairsThatCutEachOthersHorizonAgreeWithLambert) {
                 const Vec3 point((k % n + 0.5) / n - 0.5, (k / n + 0.5) / n - 0.5, 0.0);
                 sum += point_factor(point, z, convex(q), normal_of(q)) / (n * n);
             }
-            if (sum < 1e-4 / (ratio * ratio)) continue;  // next to nothing is in front
+            if (sum < 1e-2 / (ratio * ratio)) continue;  // next to nothing is in front
             EXPECT_NEAR(exchange(p, q), sum, of_midpoints * sum) << ratio;
             ++pairs;
         }
