@@ -50,31 +50,43 @@ std::vector<std::size_t> group_ring(const Scene& scene, const PatchMesh& mesh, V
     return leader;
 }
 
+/// Patches by vertex: those round vertex v are at [start[v], start[v + 1]).
+struct Rings {
+    std::vector<std::size_t> start;
+    std::vector<Corner> corners;
+
+    explicit Rings(const PatchMesh& mesh) : start(mesh.vertices.size() + 1, 0) {
+        for_each_corner(mesh, [&](VertexIndex v, const Corner&) { ++start[v + 1]; });
+        for (std::size_t v = 0; v < mesh.vertices.size(); ++v) start[v + 1] += start[v];
+        corners.resize(start.back());
+        std::vector<std::size_t> next(start.begin(), start.end() - 1);
+        for_each_corner(mesh,
+                        [&](VertexIndex v, const Corner& corner) { corners[next[v]++] = corner; });
+    }
+    std::span<const Corner> at(VertexIndex v) const {
+        return {corners.data() + start[v], start[v + 1] - start[v]};
+    }
+
+    template <typename Visit>
+    static void for_each_corner(const PatchMesh& mesh, const Visit& visit) {
+        for (PatchIndex i = 0; i < mesh.size(); ++i) {
+            const Patch& patch = mesh.patches[i];
+            const std::size_t n = patch.covered ? 0 : patch.corner_count();
+            for (std::size_t k = 0; k < n; ++k)
+                visit(patch.vertices[k],
+                      Corner{i, k, patch.vertices[(k + n - 1) % n], patch.vertices[(k + 1) % n]});
+        }
+    }
+};
+
 }  // namespace
 
 SmoothGroups find_smooth_groups(const Scene& scene, const PatchMesh& mesh) {
-    std::vector<std::size_t> start(mesh.vertices.size() + 1, 0);
-    const auto for_each_corner = [&](const auto& visit) {
-        for (PatchIndex i = 0; i < mesh.size(); ++i)
-            for (std::size_t k = 0; k < mesh.patches[i].corner_count() && !mesh.patches[i].covered;
-                 ++k)
-                visit(i, k);
-    };
-    for_each_corner([&](PatchIndex i, std::size_t k) { ++start[mesh.patches[i].vertices[k] + 1]; });
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) start[v + 1] += start[v];
-    std::vector<Corner> around(start.back());
-    std::vector<std::size_t> next(start.begin(), start.end() - 1);
-    for_each_corner([&](PatchIndex i, std::size_t k) {
-        const Patch& patch = mesh.patches[i];
-        const std::size_t n = patch.corner_count();
-        around[next[patch.vertices[k]]++] = {i, k, patch.vertices[(k + n - 1) % n],
-                                             patch.vertices[(k + 1) % n]};
-    });
-
+    const Rings rings(mesh);
     SmoothGroups groups;
     groups.of_patch.resize(mesh.size());
     for (VertexIndex v = 0; v < mesh.vertices.size(); ++v) {
-        const std::span<const Corner> ring(around.data() + start[v], start[v + 1] - start[v]);
+        const std::span<const Corner> ring = rings.at(v);
         const std::vector<std::size_t> leader = group_ring(scene, mesh, v, ring);
         std::vector<std::size_t> number(ring.size());
         for (std::size_t a = 0; a < ring.size(); ++a) {

@@ -115,9 +115,11 @@ void RayScene::build(const Scene& scene) {
                                  std::to_string(device_->error));
 }
 
-void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) const {
-    RTCRayHit16 query;
-    alignas(64) std::array<int, ray_batch> valid;
+namespace {
+
+/// Rays from their origins to the end of the scene, of which the first `count` are valid.
+void fill_query(const RayBatch& rays, int count, RTCRayHit16& query,
+                std::array<int, ray_batch>& valid) {
     for (int k = 0; k < ray_batch; ++k) {
         valid[k] = k < count ? -1 : 0;
         query.ray.org_x[k] = rays.ox[k];
@@ -135,6 +137,14 @@ void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) con
         query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
         query.hit.primID[k] = RTC_INVALID_GEOMETRY_ID;
     }
+}
+
+}  // namespace
+
+void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) const {
+    RTCRayHit16 query;
+    alignas(64) std::array<int, ray_batch> valid;
+    fill_query(rays, count, query, valid);
 #if RTC_VERSION_MAJOR >= 4
     rtcIntersect16(valid.data(), device_->scene, &query, nullptr);
 #else
@@ -143,12 +153,11 @@ void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) con
     rtcIntersect16(valid.data(), device_->scene, &context, &query);
 #endif
     for (int k = 0; k < count; ++k) {
-        const std::uint32_t triangle = query.hit.primID[k];
         if (query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) {
             landings.landing[k] = Landing::escaped;
             continue;
         }
-        const SurfaceIndex s = surface_of_[triangle];
+        const SurfaceIndex s = surface_of_[query.hit.primID[k]];
         const float t = query.ray.tfar[k];
         landings.surface[k] = s;
         landings.x[k] = rays.ox[k] + t * rays.dx[k];
