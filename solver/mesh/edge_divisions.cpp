@@ -1,5 +1,6 @@
 #include "solver/mesh/edge_divisions.h"
 
+#include "solver/mesh/edge_stops.h"
 #include "solver/mesh/grid_shape.h"
 #include "solver/mesh/welder.h"
 
@@ -41,17 +42,14 @@ struct Chords {  // edges that must have one count (union-find)
 
 }  // namespace
 
-EdgeDivisions::EdgeDivisions(const Scene& scene, const std::vector<bool>& gridded,
+EdgeDivisions::EdgeDivisions(const Scene& scene, const std::vector<std::vector<Segment>>& creases,
                              double patch_size) {
     weld(scene);
     find_edges(scene);
-    count_parts(scene, gridded, patch_size);
-    first_inner_.resize(ends_.size());
-    vertex_count_ = positions_.size();
-    for (std::size_t e = 0; e < ends_.size(); ++e) {
-        first_inner_[e] = static_cast<VertexIndex>(vertex_count_);
-        vertex_count_ += static_cast<std::size_t>(parts_[e] - 1);
-    }
+    find_stops(scene, creases);
+    choose_grids(scene, creases);
+    count_parts(scene, patch_size);
+    place_points(patch_size);
 }
 
 void EdgeDivisions::weld(const Scene& scene) {
@@ -79,11 +77,39 @@ void EdgeDivisions::find_edges(const Scene& scene) {
     }
 }
 
-void EdgeDivisions::count_parts(const Scene& scene, const std::vector<bool>& gridded,
-                                double patch_size) {
+void EdgeDivisions::find_stops(const Scene& scene,
+                               const std::vector<std::vector<Segment>>& creases) {
+    const double reach = contact_distance(scene);
+    stops_.resize(ends_.size());
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+        for (const EdgeStop& stop : find_edge_stops(scene.surfaces[s], creases[s], reach)) {
+            const std::uint32_t e = edges_[first_corner_[s] + stop.edge];
+            const Vec3 &a = positions_[ends_[e].first], &b = positions_[ends_[e].second];
+            const double length = (b - a).norm(),
+                         place = (stop.point - a).dot(b - a) / (length * length);
+            std::vector<double>& stops = stops_[e];
+            const bool known = std::any_of(stops.begin(), stops.end(), [&](double other) {
+                return std::abs(other - place) * length <= reach;
+            });
+            if (!known) stops.insert(std::upper_bound(stops.begin(), stops.end(), place), place);
+        }
+}
+
+void EdgeDivisions::choose_grids(const Scene& scene,
+                                 const std::vector<std::vector<Segment>>& creases) {
+    gridded_.resize(scene.surfaces.size());
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        bool plain = creases[s].empty();
+        for (std::size_t at = first_corner_[s]; at < first_corner_[s + 1]; ++at)
+            plain = plain && stops_[edges_[at]].empty();
+        gridded_[s] = plain && fits_a_grid(scene.surfaces[s]);
+    }
+}
+
+void EdgeDivisions::count_parts(const Scene& scene, double patch_size) {
     Chords chords(ends_.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
-        if (gridded[s])
+        if (gridded_[s])
             for (std::size_t k = 0; k < 2; ++k)
                 chords.tie(edges_[first_corner_[s] + k], edges_[first_corner_[s] + k + 2]);
     std::vector<double> longest(ends_.size(), 0.0);  // edge of each chord [m]
@@ -100,7 +126,7 @@ void EdgeDivisions::count_parts(const Scene& scene, const std::vector<bool>& gri
     for (int pass = 0; pass < 3; ++pass)  // a finer chord makes narrower cells beside it
         for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
             const std::size_t first = first_corner_[s], n = first_corner_[s + 1] - first;
-            if (gridded[s]) {
+            if (gridded_[s]) {
                 const std::uint32_t u = chords.root(edges_[first]),
                                     v = chords.root(edges_[first + 1]);
                 raise(u, longest[v] / parts[v]);
@@ -114,10 +140,31 @@ void EdgeDivisions::count_parts(const Scene& scene, const std::vector<bool>& gri
     for (std::uint32_t e = 0; e < ends_.size(); ++e) parts_[e] = parts[chords.root(e)];
 }
 
+void EdgeDivisions::place_points(double patch_size) {
+    places_.resize(ends_.size());
+    first_inner_.resize(ends_.size());
+    vertex_count_ = positions_.size();
+    for (std::size_t e = 0; e < ends_.size(); ++e) {
+        const double length = (positions_[ends_[e].first] - positions_[ends_[e].second]).norm();
+        std::vector<double> stops = stops_[e];
+        stops.push_back(1.0);
+        double from = 0.0;
+        for (const double to : stops) {
+            const int parts =
+                stops.size() == 1 ? parts_[e] : parts_for((to - from) * length, patch_size);
+            for (int k = 1; k < parts; ++k) places_[e].push_back(from + (to - from) * k / parts);
+            if (to < 1.0) places_[e].push_back(to);
+            from = to;
+        }
+        first_inner_[e] = static_cast<VertexIndex>(vertex_count_);
+        vertex_count_ += places_[e].size();
+    }
+}
+
 std::vector<VertexIndex> EdgeDivisions::points(SurfaceIndex s, std::size_t k) const {
     const std::uint32_t e = edges_[first_corner_[s] + k];
     std::vector<VertexIndex> points{ends_[e].first};
-    for (int i = 0; i < parts_[e] - 1; ++i)
+    for (std::size_t i = 0; i < places_[e].size(); ++i)
         points.push_back(first_inner_[e] + static_cast<VertexIndex>(i));
     points.push_back(ends_[e].second);
     if (corner(s, k) != ends_[e].first) std::reverse(points.begin(), points.end());
@@ -126,12 +173,10 @@ std::vector<VertexIndex> EdgeDivisions::points(SurfaceIndex s, std::size_t k) co
 
 std::vector<Vec3> EdgeDivisions::vertices() const {
     std::vector<Vec3> vertices = positions_;
-    vertices.resize(vertex_count_);
+    vertices.reserve(vertex_count_);
     for (std::size_t e = 0; e < ends_.size(); ++e) {
         const Vec3 &a = positions_[ends_[e].first], &b = positions_[ends_[e].second];
-        for (int i = 1; i < parts_[e]; ++i)
-            vertices[first_inner_[e] + static_cast<VertexIndex>(i - 1)] =
-                a + (b - a) * (static_cast<double>(i) / parts_[e]);
+        for (const double place : places_[e]) vertices.push_back(a + (b - a) * place);
     }
     return vertices;
 }

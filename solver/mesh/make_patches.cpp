@@ -1,6 +1,7 @@
 #include "solver/mesh/make_patches.h"
 
 #include "solver/mesh/edge_divisions.h"
+#include "solver/mesh/edge_stops.h"
 #include "solver/mesh/grid_shape.h"
 #include "solver/mesh/polygon_mesher.h"
 
@@ -86,8 +87,7 @@ struct Mesher {
             }
         }
         const std::vector<std::vector<Vec2>> covers = covers_of(s, frame);
-        const PolygonMesh flat =
-            mesh_polygon(outline, creases_of(s, frame, covers), mesh.patch_size);
+        const PolygonMesh flat = mesh_polygon(outline, creases_of(s, frame), mesh.patch_size);
         for (std::size_t p = number.size(); p < flat.points.size(); ++p) {
             number.push_back(static_cast<VertexIndex>(mesh.vertices.size()));
             mesh.vertices.push_back(frame.lift(flat.points[p]));
@@ -113,28 +113,13 @@ struct Mesher {
         return outlines;
     }
 
-    std::vector<FlatSegment> creases_of(SurfaceIndex s, const PlaneFrame& frame,
-                                        const std::vector<std::vector<Vec2>>& covers) const {
+    std::vector<FlatSegment> creases_of(SurfaceIndex s, const PlaneFrame& frame) const {
         std::vector<FlatSegment> creases;
-        for (const std::vector<Vec2>& cover : covers)
-            for (std::size_t k = 0; k < cover.size(); ++k)
-                creases.push_back({cover[k], cover[(k + 1) % cover.size()]});
-        for (const Segment& contact : lines.contacts[s])
-            creases.push_back({frame.flat(contact[0]), frame.flat(contact[1])});
+        for (const Segment& crease : lines.creases[s])
+            creases.push_back({frame.flat(crease[0]), frame.flat(crease[1])});
         return creases;
     }
 };
-
-bool is_plain(const MeshLines& lines, SurfaceIndex s) {
-    return lines.overlaps.covered_by[s].empty() && lines.contacts[s].empty();
-}
-
-std::vector<bool> gridded_surfaces(const Scene& scene, const MeshLines& lines) {
-    std::vector<bool> gridded(scene.surfaces.size());
-    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
-        gridded[s] = fits_a_grid(scene.surfaces[s]) && is_plain(lines, s);
-    return gridded;
-}
 
 /// A triangle whose edges are short enough as they are: the common case in imported meshes.
 bool is_one_patch(const Surface& surface, const EdgeDivisions& divisions, SurfaceIndex s) {
@@ -163,21 +148,36 @@ std::size_t estimate_patch_count(const Scene& scene, double patch_size) {
 }
 
 MeshLines find_mesh_lines(const Scene& scene) {
-    return {find_coplanar_overlaps(scene), find_contact_lines(scene)};
+    const double reach = contact_distance(scene);
+    const std::vector<std::vector<Segment>> contacts = find_contact_lines(scene);
+    MeshLines lines{find_coplanar_overlaps(scene), {}};
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        std::vector<Segment> creases = contacts[s];
+        for (const SurfaceIndex cover : lines.overlaps.covered_by[s]) {
+            const std::vector<Vec3>& outline = scene.surfaces[cover].corners;
+            for (std::size_t k = 0; k < outline.size(); ++k)
+                creases.push_back({outline[k], outline[(k + 1) % outline.size()]});
+        }
+        lines.creases.emplace_back();
+        for (const Segment& crease : creases) {
+            const Segment snapped = snap_to_outline(scene.surfaces[s], crease, reach);
+            if ((snapped[1] - snapped[0]).norm() > reach) lines.creases[s].push_back(snapped);
+        }
+    }
+    return lines;
 }
 
 PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_size) {
-    const std::vector<bool> gridded = gridded_surfaces(scene, lines);
-    const EdgeDivisions divisions(scene, gridded, patch_size);
+    const EdgeDivisions divisions(scene, lines.creases, patch_size);
     Mesher mesher{scene, lines, divisions, {}};
     mesher.mesh.vertices = divisions.vertices();
     mesher.mesh.patch_size = patch_size;
     mesher.mesh.first_of_surface.push_back(0);
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         mesher.mesh.grid.push_back({0, 0});
-        if (gridded[s])
+        if (divisions.gridded(s))
             mesher.add_grid(s);
-        else if (is_plain(lines, s) && is_one_patch(scene.surfaces[s], divisions, s))
+        else if (lines.creases[s].empty() && is_one_patch(scene.surfaces[s], divisions, s))
             mesher.add_patch(s, {divisions.corner(s, 0), divisions.corner(s, 1),
                                  divisions.corner(s, 2), divisions.corner(s, 2)});
         else

@@ -15,7 +15,7 @@ std::size_t estimate_patch_count(const Scene& scene, double patch_size);
 /// What the patches of a surface must respect.
 struct MeshLines {
     CoplanarOverlaps overlaps;
-    std::vector<std::vector<Segment>> contacts;  // per surface
+    std::vector<std::vector<Segment>> creases;  // per surface: contact lines and outlines of covers
 };
 MeshLines find_mesh_lines(const Scene& scene);
 

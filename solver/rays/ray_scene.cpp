@@ -17,8 +17,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr double contact_size = 1e-6;  // of the scene's size: closer surfaces touch [1]
-constexpr double lift_size = 3e-7;     // of the scene's size; floats in ray space step by 6e-8 [1]
+constexpr double lift_alone = 0.3;  // of the contact distance; floats in ray space step by 6e-8 [1]
 constexpr double lift_off_partner = 1.2;    // of the contact distance [1]
 constexpr float beyond_everything = 16.0f;  // ray space is 2 across
 
@@ -50,7 +49,7 @@ RayScene::RayScene(const Scene& scene, const CoplanarOverlaps& overlaps)
         for (const Vec3& p : surface.corners) box.extend(p);
     centre_ = box.center();
     scale_ = 2.0 / box.sizes().maxCoeff();
-    contact_ = static_cast<float>(contact_size * box.diagonal().norm() * scale_);
+    contact_ = static_cast<float>(contact_distance(scene) * scale_);
     find_lifts(scene, overlaps);
     build(scene);
 }
@@ -60,8 +59,7 @@ RayScene::~RayScene() = default;
 void RayScene::find_lifts(const Scene& scene, const CoplanarOverlaps& overlaps) {
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         const bool alone = !overlaps.any(s);
-        lift_.push_back(
-            static_cast<float>(contact_ * (alone ? lift_size / contact_size : lift_off_partner)));
+        lift_.push_back(static_cast<float>(contact_ * (alone ? lift_alone : lift_off_partner)));
         normals_.push_back(scene.surfaces[s].normal.cast<float>());
         outlines_.emplace_back();
         if (alone) continue;

@@ -12,8 +12,6 @@ namespace patchlight {
 
 namespace {
 
-constexpr double contact = 1e-6;  // of the scene's size [1]
-
 double distance_to_line(const Vec3& a, const Vec3& b, const Vec3& p) {
     const Vec3 along = (b - a).normalized();
     return (p - a - (p - a).dot(along) * along).norm();
@@ -83,7 +81,7 @@ bool reaches_inside(const Surface& surface, const Segment& s, double reach) {
 }  // namespace
 
 std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene) {
-    const double reach = contact * scene_size(scene);
+    const double reach = contact_distance(scene);
     std::vector<std::vector<Segment>> lines(scene.surfaces.size());
     const auto add = [&](SurfaceIndex s, SurfaceIndex other) {
         const Surface &surface = scene.surfaces[s], &visitor = scene.surfaces[other];

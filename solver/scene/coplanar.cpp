@@ -13,7 +13,6 @@ namespace patchlight {
 
 namespace {
 
-constexpr double contact = 1e-6;        // of the scene's size [1]
 constexpr double least_overlap = 1e-7;  // of the smaller area [1]
 
 /// Area of the part of triangle t that lies in triangle s and within `reach` of its plane.
@@ -81,7 +80,7 @@ std::vector<Vec2> clip_left(const std::vector<Vec2>& polygon, const Vec2& a, con
 
 CoplanarOverlaps find_coplanar_overlaps(const Scene& scene) {
     const std::size_t n = scene.surfaces.size();
-    const double reach = contact * scene_size(scene);
+    const double reach = contact_distance(scene);
     CoplanarOverlaps overlaps{std::vector<std::vector<SurfaceIndex>>(n),
                               std::vector<std::vector<SurfaceIndex>>(n)};
     for_each_touching_pair(scene, reach, [&](SurfaceIndex a, SurfaceIndex b) {

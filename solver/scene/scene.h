@@ -70,7 +70,10 @@ struct Scene {
 void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::uint32_t face,
                  std::span<const Vec3> corners, const std::string& pointer);
 
-/// Diagonal of the box round all surfaces [m]; lengths of 1e-6 of it count as contact.
+/// Diagonal of the box round all surfaces [m].
 double scene_size(const Scene& scene);
+
+/// Surfaces no farther apart than this touch: 1e-6 of the scene's size [m].
+double contact_distance(const Scene& scene);
 
 }  // namespace patchlight

@@ -26,9 +26,7 @@ ObjectIndex add(Scene& scene, const Polygon& polygon, MaterialIndex material) {
     return object;
 }
 
-Scene scene_of(const Polygon& polygon) {
-    return scene_of(std::vector<Polygon>{polygon});
-}
+Scene scene_of(const Polygon& polygon) { return scene_of(std::vector<Polygon>{polygon}); }
 
 Scene scene_of(const std::vector<Polygon>& polygons) {
     Scene scene = empty_scene();
@@ -60,9 +58,7 @@ Polygon regular(int corners, double radius, double z) {
     return polygon;
 }
 
-Polygon l_shape() {
-    return flat({{0, 0}, {2, 0}, {2, 0.7}, {0.8, 0.7}, {0.8, 1.5}, {0, 1.5}});
-}
+Polygon l_shape() { return flat({{0, 0}, {2, 0}, {2, 0.7}, {0.8, 0.7}, {0.8, 1.5}, {0, 1.5}}); }
 
 Polygon star(int points, double inner) {
     Polygon polygon = regular(2 * points, 1.0);
@@ -74,9 +70,13 @@ Polygon comb(int teeth) {
     Polygon polygon;
     for (int k = 0; k <= 4 * teeth; ++k) polygon.emplace_back(0.5 * k, 0.0, 0.0);
     for (int k = teeth - 1; k >= 0; --k)
-        for (const auto& [x, y] :
-             {std::pair(2.0, 1.0), {1.5, 1.0}, {1.0, 1.0}, {1.0, 3.0}, {0.5, 3.0}, {0.0, 3.0},
-              {0.0, 2.0}})
+        for (const auto& [x, y] : {std::pair(2.0, 1.0),
+                                   {1.5, 1.0},
+                                   {1.0, 1.0},
+                                   {1.0, 3.0},
+                                   {0.5, 3.0},
+                                   {0.0, 3.0},
+                                   {0.0, 2.0}})
             polygon.emplace_back(2.0 * k + x, y, 0.0);
     return polygon;
 }
@@ -110,9 +110,9 @@ void add_box(Scene& scene, const Vec3& low, const Vec3& high, Facing facing) {
     const Vec3 size = high - low;
     const Vec3 x = size.x() * Vec3::UnitX(), y = size.y() * Vec3::UnitY(),
                z = size.z() * Vec3::UnitZ();
-    const std::vector<Polygon> walls{rectangle(low, x, y),     rectangle(low + z, y, x),
-                                     rectangle(low, y, z),     rectangle(low + x, z, y),
-                                     rectangle(low, z, x),     rectangle(low + y, x, z)};
+    const std::vector<Polygon> walls{rectangle(low, x, y), rectangle(low + z, y, x),
+                                     rectangle(low, y, z), rectangle(low + x, z, y),
+                                     rectangle(low, z, x), rectangle(low + y, x, z)};
     for (const Polygon& wall : walls) add(scene, facing == Facing::inwards ? wall : reversed(wall));
 }
 

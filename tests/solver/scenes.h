@@ -49,7 +49,7 @@ Scene room_with_box();
 
 struct Motion {
     double scale = 1.0;
-    Vec3 shift = Vec3::Zero();                        // after scaling [m]
+    Vec3 shift = Vec3::Zero();                           // after scaling [m]
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // before scaling
     Vec3 operator()(const Vec3& p) const { return scale * (turn * p) + shift; }
 };

@@ -36,11 +36,12 @@ Scene random_boxes(unsigned seed) {
     std::mt19937 chance(seed);
     Scene scene = room();
     for (int n = 0; n < 4; ++n) {
-        const Vec3 size = 0.1 * Vec3::Ones() + 0.3 * Vec3(uniform(chance), uniform(chance), uniform(chance));
+        const Vec3 size =
+            0.1 * Vec3::Ones() + 0.3 * Vec3(uniform(chance), uniform(chance), uniform(chance));
         Scene box = empty_scene();
         add_box(box, -0.5 * size, 0.5 * size, Facing::outwards);
-        const Vec3 place = 0.3 * Vec3::Ones() +
-                           0.4 * Vec3(uniform(chance), uniform(chance), uniform(chance));
+        const Vec3 place =
+            0.3 * Vec3::Ones() + 0.4 * Vec3(uniform(chance), uniform(chance), uniform(chance));
         const bool upright = n % 2 == 0;
         const Motion motion{1.0, upright ? Vec3(place.x(), place.y(), 0.5 * size.z()) : place,
                             upright ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : odd_turn()};
@@ -56,8 +57,10 @@ TEST(BlockerTable, NeverOverlooksABlocker) {
         std::mt19937 chance(seed);
         int cleared = 0, overlooked = 0;
         for (int pair = 0; pair < 8000; ++pair) {
-            const auto i = static_cast<PatchIndex>(uniform(chance) * static_cast<double>(boxes.mesh.size())),
-                       j = static_cast<PatchIndex>(uniform(chance) * static_cast<double>(boxes.mesh.size()));
+            const auto i = static_cast<PatchIndex>(uniform(chance) *
+                                                   static_cast<double>(boxes.mesh.size())),
+                       j = static_cast<PatchIndex>(uniform(chance) *
+                                                   static_cast<double>(boxes.mesh.size()));
             if (boxes.mesh.patches[i].surface == boxes.mesh.patches[j].surface) continue;
             if (table.may_block(i, j)) continue;
             ++cleared;

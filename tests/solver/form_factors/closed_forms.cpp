@@ -23,13 +23,12 @@ double perpendicular_rectangles(double edge, double width, double height) {
     const long double h = static_cast<long double>(height) / edge,
                       w = static_cast<long double>(width) / edge;
     const long double h2 = h * h, w2 = w * w, both = std::sqrt(h2 + w2);
-    const long double logarithm =
-        std::log((1 + w2) * (1 + h2) / (1 + w2 + h2)) +
-        w2 * std::log(w2 * (1 + w2 + h2) / ((1 + w2) * (w2 + h2))) +
-        h2 * std::log(h2 * (1 + h2 + w2) / ((1 + h2) * (h2 + w2)));
-    return static_cast<double>((w * std::atan(1 / w) + h * std::atan(1 / h) -
-                                both * std::atan(1 / both) + logarithm / 4) /
-                               (pi * w));
+    const long double logarithm = std::log((1 + w2) * (1 + h2) / (1 + w2 + h2)) +
+                                  w2 * std::log(w2 * (1 + w2 + h2) / ((1 + w2) * (w2 + h2))) +
+                                  h2 * std::log(h2 * (1 + h2 + w2) / ((1 + h2) * (h2 + w2)));
+    return static_cast<double>(
+        (w * std::atan(1 / w) + h * std::atan(1 / h) - both * std::atan(1 / both) + logarithm / 4) /
+        (pi * w));
 }
 
 }  // namespace patchlight

@@ -24,9 +24,7 @@ double factor(const Polygon& p, const Polygon& q) {
     return contour_exchange(convex(p), convex(q)) / area(p);
 }
 
-Polygon strip(double depth) {
-    return rectangle(Vec3::Zero(), Vec3(depth, 0, 0), Vec3(0, 1, 0));
-}
+Polygon strip(double depth) { return rectangle(Vec3::Zero(), Vec3(depth, 0, 0), Vec3(0, 1, 0)); }
 Polygon wall() { return rectangle(Vec3::Zero(), Vec3(0, 1, 0), Vec3(0, 0, 1)); }
 
 /// Exact factors; Howell, "A Catalog of Radiation Configuration Factors", 1982, by number.
@@ -41,22 +39,34 @@ struct KnownFactor {
 
 std::vector<KnownFactor> known_factors() {
     const Polygon unit = rectangle(Vec3::Zero(), Vec3(1, 0, 0), Vec3(0, 1, 0));
-    return {{"c11_unit_squares", unit, {{0, 1, 1}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}},
+    return {{"c11_unit_squares",
+             unit,
+             {{0, 1, 1}, {1, 1, 1}, {1, 0, 1}, {0, 0, 1}},
              0.199824895698387383},
-            {"c11_close_rectangles", rectangle(Vec3::Zero(), Vec3(2, 0, 0), Vec3(0, 3, 0)),
-             {{0, 3, 0.5}, {2, 3, 0.5}, {2, 0, 0.5}, {0, 0, 0.5}}, 0.679537091656778598},
-            {"c14_common_edge", unit, {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
+            {"c11_close_rectangles",
+             rectangle(Vec3::Zero(), Vec3(2, 0, 0), Vec3(0, 3, 0)),
+             {{0, 3, 0.5}, {2, 3, 0.5}, {2, 0, 0.5}, {0, 0, 0.5}},
+             0.679537091656778598},
+            {"c14_common_edge",
+             unit,
+             {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
              0.200043776075403154},
-            {"c14_long_common_edge", rectangle(Vec3::Zero(), Vec3(3, 0, 0), Vec3(0, 2, 0)),
-             {{0, 0, 0}, {0, 2, 0}, {0, 2, 0.5}, {0, 0, 0.5}}, 0.0627963581976321887},
-            {"c13_offset", rectangle(Vec3::Zero(), Vec3(2, 0, 0), Vec3(0, 1, 0)),
+            {"c14_long_common_edge",
+             rectangle(Vec3::Zero(), Vec3(3, 0, 0), Vec3(0, 2, 0)),
+             {{0, 0, 0}, {0, 2, 0}, {0, 2, 0.5}, {0, 0, 0.5}},
+             0.0627963581976321887},
+            {"c13_offset",
+             rectangle(Vec3::Zero(), Vec3(2, 0, 0), Vec3(0, 1, 0)),
              {{1.5, -1, 1.25}, {1.5, 0.5, 1.25}, {4, 0.5, 1.25}, {4, -1, 1.25}},
              0.117942609910993863},
-            {"c15_offset", rectangle(Vec3(0.5, 0, 0), Vec3(1.5, 0, 0), Vec3(0, 1, 0)),
+            {"c15_offset",
+             rectangle(Vec3(0.5, 0, 0), Vec3(1.5, 0, 0), Vec3(0, 1, 0)),
              {{0, -0.5, 0.25}, {0, 0.75, 0.25}, {0, 0.75, 1.5}, {0, -0.5, 1.5}},
              0.0794678425627307386},
-            {"tetrahedron", {{-1, 1, -1}, {1, -1, -1}, {1, 1, 1}},
-             {{1, -1, -1}, {-1, -1, 1}, {1, 1, 1}}, 1.0 / 3.0}};
+            {"tetrahedron",
+             {{-1, 1, -1}, {1, -1, -1}, {1, 1, 1}},
+             {{1, -1, -1}, {-1, -1, 1}, {1, 1, 1}},
+             1.0 / 3.0}};
 }
 
 class KnownFactors : public testing::TestWithParam<KnownFactor> {};
@@ -70,8 +80,8 @@ TEST_P(KnownFactors, AreMetBothWays) {
 
 TEST_P(KnownFactors, AreMetAtAnyScaleAndPlace) {
     const auto& [name, from, to, exact] = GetParam();
-    for (const Motion& motion : {Motion{1e-4, Vec3(3e-4, 0, 0), odd_turn()},
-                                 Motion{1e6, Vec3(-1e7, 1e7, 0), odd_turn()}})
+    for (const Motion& motion :
+         {Motion{1e-4, Vec3(3e-4, 0, 0), odd_turn()}, Motion{1e6, Vec3(-1e7, 1e7, 0), odd_turn()}})
         EXPECT_NEAR(factor(moved(from, motion), moved(to, motion)), exact, promised * exact);
 }
 
@@ -140,8 +150,7 @@ TEST(ContourExchange, DoesNotDependOnTheOrderOfThePair) {
         const Polygon p = random_facet(chance);
         const double distance = 1.0 + 5.0 * uniform(chance),
                      size = std::pow(10.0, -uniform(chance));
-        const Polygon q =
-            moved(random_facet(chance), {size, distance * random_direction(chance)});
+        const Polygon q = moved(random_facet(chance), {size, distance * random_direction(chance)});
         if (!face_each_other(p, q)) continue;
         const double forth = contour_exchange(convex(p), convex(q));
         EXPECT_NEAR(contour_exchange(convex(q), convex(p)), forth, promised * forth);

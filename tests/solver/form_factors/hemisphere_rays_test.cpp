@@ -61,8 +61,10 @@ TEST(HemisphereRays, FavourNoSide) {
     const PatchSampler& sampler = plate.hemisphere.sampler(0);
     std::array<int, 16> sectors{};
     plate.for_each_ray(0, [&](const RayPoint&, const RayPoint& direction) {
-        const double turn = std::atan2(direction.dot(sampler.bitangent),
-                                       direction.dot(sampler.tangent)) / 6.2831854 + 0.5;
+        const double turn =
+            std::atan2(direction.dot(sampler.bitangent), direction.dot(sampler.tangent)) /
+                6.2831854 +
+            0.5;
         ++sectors[static_cast<std::size_t>(std::clamp(turn, 0.0, 0.99999) * 16)];
     });
     const double expected = rays / 16.0;

@@ -95,9 +95,9 @@ TEST(PairVisibility, CanBeMeasuredInParts) {
 TEST(PairVisibility, QueriesInOneGoDoNotDisturbEachOther) {
     const Facing facing(screen(-1, 0.4));
     std::vector<VisibilityQuery> queries(3);
-    for (VisibilityQuery& query : queries) query.i = 0, query.j = 1, query.count = 37;
+    for (VisibilityQuery& query : queries) query.i = 0, query.j = 1, query.count = 36;
     facing.visibility.measure(queries);
-    const VisibilityQuery alone = facing.ask(0, 1, 0, 37);
+    const VisibilityQuery alone = facing.ask(0, 1, 0, 36);
     for (const VisibilityQuery& query : queries) {
         EXPECT_EQ(query.clear, alone.clear);
         EXPECT_EQ(query.weight, alone.weight);

@@ -14,8 +14,9 @@ constexpr double rounding = 1e-13;
 class PointsOfOrder : public testing::TestWithParam<int> {};
 
 TEST_P(PointsOfOrder, WeighThePatchAndBalanceAtItsCentre) {
-    const CutScene plate = cut(
-        scene_of({l_shape(), flat({{5, 0}, {6.4, 0.1}, {6, 1}, {5.1, 0.7}}), regular(5, 0.4)}), 0.4);
+    const CutScene plate =
+        cut(scene_of({l_shape(), flat({{5, 0}, {6.4, 0.1}, {6, 1}, {5.1, 0.7}}), regular(5, 0.4)}),
+            0.4);
     const int order = GetParam();
     const PatchPoints points = make_patch_points(plate.mesh, order);
     ASSERT_EQ(points.per_patch, static_cast<std::size_t>(order * order));
@@ -52,8 +53,8 @@ TEST(KernelExchange, OfPolygonsAgreesWithThatOfPatches) {
     const Polygon lower = rectangle(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY()),
                   upper = rectangle(Vec3(3, 2, 9), Vec3::UnitY(), Vec3::UnitX());
     const CutScene both = cut(scene_of({lower, upper}), 9.0);
-    const double expected = kernel_exchange(make_patch_points(both.mesh, 3), 0, Vec3::UnitZ(), 1,
-                                            -Vec3::UnitZ());
+    const double expected =
+        kernel_exchange(make_patch_points(both.mesh, 3), 0, Vec3::UnitZ(), 1, -Vec3::UnitZ());
     EXPECT_NEAR(kernel_exchange(convex(lower), Vec3::UnitZ(), convex(upper), -Vec3::UnitZ()),
                 expected, rounding * expected * 100);
 }

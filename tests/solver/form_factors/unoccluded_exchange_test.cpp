@@ -66,8 +66,8 @@ TEST(UnoccludedExchange, IsExactlyZeroForCoveredPatches) {
 }
 
 TEST(UnoccludedExchange, MeetsClosedFormsOnFinelyCutPlates) {
-    const CutScene plates = cut(scene_of({square(), rectangle(z, y, x), rectangle(Vec3::Zero(), y, z)}),
-                                0.125);
+    const CutScene plates =
+        cut(scene_of({square(), rectangle(z, y, x), rectangle(Vec3::Zero(), y, z)}), 0.125);
     const UnoccludedExchange exchange_of(plates.scene, plates.mesh);
     const auto between = [&](SurfaceIndex s, SurfaceIndex t) {
         double sum = 0.0;
@@ -103,7 +103,8 @@ class Distances : public testing::TestWithParam<double> {};
 TEST_P(Distances, AgreesWithTheContourIntegral) {
     const std::vector<double> errors = errors_at(GetParam(), 300, 1);
     EXPECT_LT(errors[errors.size() / 2], promised);
-    EXPECT_LT(errors.back(), 300 * promised);  // edge on, where the factor itself is next to nothing
+    EXPECT_LT(errors.back(),
+              300 * promised);  // edge on, where the factor itself is next to nothing
 }
 
 // Either side of 4.5, 5, 9, 12, 30 and 60 radii, where one rule hands over to the next; radii are
@@ -139,9 +140,7 @@ TEST(UnoccludedExchange, PairsThatCutEachOthersHorizonAgreeWithLambert) {
             const Polygon p = rectangle(Vec3(-0.5, -0.5, 0), x, y);
             const Polygon q =
                 moved(rectangle(Vec3(-0.7, -0.7, 0), 1.4 * x, 1.4 * y),
-                      {1.0,
-                       ratio * random_direction(chance),
-                       turn_to(random_direction(chance))});
+                      {1.0, ratio * random_direction(chance), turn_to(random_direction(chance))});
             if (face_each_other(p, q)) continue;
             double sum = 0.0;
             constexpr int n = 48;

@@ -36,7 +36,8 @@ void expect_sound(const CutScene& cut) {
 
 TEST(Covers, ARugHidesExactlyWhatLiesUnderIt) {
     for (const double size : {0.5, 0.2, 0.07}) {
-        const CutScene floor = cut(scene_of({square(), rectangle(Vec3(0.31, 0.27, 0), 0.33 * x, 0.41 * y)}), size);
+        const CutScene floor =
+            cut(scene_of({square(), rectangle(Vec3(0.31, 0.27, 0), 0.33 * x, 0.41 * y)}), size);
         EXPECT_NEAR(covered_area(floor, 0), 0.33 * 0.41, cover_rounding) << size;
         EXPECT_EQ(covered_area(floor, 1), 0.0);
         expect_sound(floor);
@@ -85,7 +86,7 @@ TEST(Covers, AnOpposedPartnerHidesNothing) {
 TEST(Creases, NoPatchStraddlesTheFootOfABox) {
     for (const double size : {0.5, 0.2, 0.07}) {
         const CutScene box = cut(room_with_box(), size);
-        ASSERT_FALSE(box.lines.contacts[0].empty());
+        ASSERT_FALSE(box.lines.creases[0].empty());
         expect_sound(box);
     }
 }
@@ -94,8 +95,7 @@ TEST(Creases, NoPatchStraddlesTheFootOfATurnedBox) {
     Scene scene = room();
     Scene box = empty_scene();
     add_box(box, Vec3(-0.2, -0.15, 0), Vec3(0.2, 0.15, 0.4), Facing::outwards);
-    const Motion turned{1.0, Vec3(0.45, 0.55, 0),
-                        Eigen::AngleAxisd(0.37, z).toRotationMatrix()};
+    const Motion turned{1.0, Vec3(0.45, 0.55, 0), Eigen::AngleAxisd(0.37, z).toRotationMatrix()};
     for (const Surface& surface : moved(box, turned).surfaces) add(scene, surface.corners);
     expect_sound(cut(scene, 0.11));
 }
@@ -161,9 +161,11 @@ TEST_P(EveryScale, TheMeshIsAsSound) {
     ASSERT_EQ(scaled.mesh.size(), unit.mesh.size());
     int lost = 0;  // patches of the one that the other has not
     for (const Patch& patch : unit.mesh.patches)
-        lost += std::none_of(scaled.mesh.patches.begin(), scaled.mesh.patches.end(), [&](const Patch& p) {
-            return p.surface == patch.surface && (p.centre / scale - patch.centre).norm() < 1e-9;
-        });
+        lost += std::none_of(scaled.mesh.patches.begin(), scaled.mesh.patches.end(),
+                             [&](const Patch& p) {
+                                 return p.surface == patch.surface &&
+                                        (p.centre / scale - patch.centre).norm() < 1e-9;
+                             });
     EXPECT_LE(lost, ties * static_cast<double>(unit.mesh.size()));
     EXPECT_NEAR(covered_area(scaled, 0) / scale / scale, covered_area(unit, 0), cover_rounding);
     expect_sound(scaled);

@@ -8,7 +8,8 @@ namespace patchlight {
 namespace {
 
 bool fits(const std::vector<std::array<double, 2>>& corners) {
-    return fits_a_grid(scene_of(moved(flat(corners), {2.0, Vec3(1, 2, 3), odd_turn()})).surfaces[0]);
+    return fits_a_grid(
+        scene_of(moved(flat(corners), {2.0, Vec3(1, 2, 3), odd_turn()})).surfaces[0]);
 }
 
 TEST(FitsAGrid, QuadsThatAreNearlyParallelograms) {
@@ -25,9 +26,9 @@ TEST(FitsAGrid, NoTrianglesNorPolygonsOfMoreCorners) {
 
 TEST(FitsAGrid, NoConcaveOrPointedQuads) {
     EXPECT_FALSE(fits({{0, 0}, {1, 0.4}, {2, 0}, {1, 1}}));
-    EXPECT_FALSE(fits({{0, 0}, {1, 0}, {3, 1}, {2, 1}}));        // 27 degrees
-    EXPECT_FALSE(fits({{0, 0}, {3, 0}, {2, 1}, {1, 1}}));        // one side 3 times the other
-    EXPECT_FALSE(fits({{0, 0}, {1, 0}, {2, 0.01}, {0, 1}}));     // nearly a triangle
+    EXPECT_FALSE(fits({{0, 0}, {1, 0}, {3, 1}, {2, 1}}));     // 27 degrees
+    EXPECT_FALSE(fits({{0, 0}, {3, 0}, {2, 1}, {1, 1}}));     // one side 3 times the other
+    EXPECT_FALSE(fits({{0, 0}, {1, 0}, {2, 0.01}, {0, 1}}));  // nearly a triangle
 }
 
 TEST(WidthOf, IsAboutTheWidthOfANarrowPolygon) {

@@ -135,8 +135,12 @@ TEST(MakePatches, MakesAboutTwoThousandPatchesByDefault) {
 }
 
 TEST(EstimatePatchCount, IsWithinAFactorOfTwo) {
-    const std::vector<Scene> scenes{room(), room_with_box(), scene_of(regular(24, 1.0)),
-                                    scene_of(l_shape()), scene_of(star(5, 0.4)), scene_of(comb(3))};
+    const std::vector<Scene> scenes{room(),
+                                    room_with_box(),
+                                    scene_of(regular(24, 1.0)),
+                                    scene_of(l_shape()),
+                                    scene_of(star(5, 0.4)),
+                                    scene_of(comb(3))};
     for (std::size_t k = 0; k < scenes.size(); ++k)
         for (const double size : {0.3, 0.1, 0.04}) {
             const double real = static_cast<double>(cut(scenes[k], size).mesh.size());
@@ -151,8 +155,8 @@ TEST(EstimatePatchCount, DoesNotOverflow) {
 }
 
 TEST(PatchCorners, AreThreeOfATriangleAndFourOfAQuad) {
-    const CutScene two =
-        cut(scene_of({flat({{0, 0}, {1, 0}, {0, 1}}), flat({{5, 0}, {6, 0}, {6, 1}, {5, 1}})}), 9.0);
+    const CutScene two = cut(
+        scene_of({flat({{0, 0}, {1, 0}, {0, 1}}), flat({{5, 0}, {6, 0}, {6, 1}, {5, 1}})}), 9.0);
     EXPECT_EQ(patch_corners(two.mesh, 0), flat({{0, 0}, {1, 0}, {0, 1}}));
     EXPECT_EQ(patch_corners(two.mesh, 1), flat({{5, 0}, {6, 0}, {6, 1}, {5, 1}}));
 }

@@ -12,9 +12,9 @@ namespace patchlight {
 
 namespace {
 
-constexpr double on_line = 1e-9;      // of the segment's length [1]
-constexpr double clear_of = 1e-9;     // of the surface's size: points this near an edge do not count
-constexpr double shrink = 1e-6;       // of a patch, so that a line along its edge does not cut it
+constexpr double on_line = 1e-9;   // of the segment's length [1]
+constexpr double clear_of = 1e-9;  // of the surface's size: points this near an edge do not count
+constexpr double shrink = 1e-6;    // of a patch, so that a line along its edge does not cut it
 
 std::vector<PatchIndex> patches_of(const CutScene& cut, SurfaceIndex s) {
     std::vector<PatchIndex> patches;
@@ -41,7 +41,7 @@ double size_of(const Surface& surface) {
 }
 
 std::map<std::pair<VertexIndex, VertexIndex>, int> directed_edges(const CutScene& cut,
-                                                                 SurfaceIndex s) {
+                                                                  SurfaceIndex s) {
     std::map<std::pair<VertexIndex, VertexIndex>, int> edges;
     for (const PatchIndex i : patches_of(cut, s))
         for_each_edge(cut, i, [&](VertexIndex a, VertexIndex b) { ++edges[{a, b}]; });
@@ -98,8 +98,8 @@ double worst_height(const CutScene& cut) {
     for (PatchIndex i = 0; i < cut.mesh.size(); ++i) {
         const Surface& surface = cut.scene.surfaces[cut.mesh.patches[i].surface];
         for (const Vec3& p : patch_corners(cut.mesh, i))
-            worst = std::max(worst, std::abs((p - surface.corners[0]).dot(surface.normal)) /
-                                        size_of(surface));
+            worst = std::max(
+                worst, std::abs((p - surface.corners[0]).dot(surface.normal)) / size_of(surface));
     }
     return worst;
 }
@@ -130,7 +130,8 @@ std::set<VertexIndex> vertices_along(const CutScene& cut, SurfaceIndex s, const 
         for (const VertexIndex v : cut.mesh.patches[i].vertices) {
             const Vec3& p = cut.mesh.vertices[v];
             const double t = (p - a).dot(b - a) / (length * length);
-            if (t > -on_line && t < 1.0 + on_line && (a + t * (b - a) - p).norm() < on_line * length)
+            if (t > -on_line && t < 1.0 + on_line &&
+                (a + t * (b - a) - p).norm() < on_line * length)
                 found.insert(v);
         }
     return found;
@@ -203,7 +204,7 @@ int patches_cut_by_contacts(const CutScene& cut, SurfaceIndex s) {
         for (const Vec3& corner : patch_corners(cut.mesh, i))
             p.push_back(centre + (1.0 - shrink) * (frame.flat(corner) - centre));
         count += std::any_of(
-            cut.lines.contacts[s].begin(), cut.lines.contacts[s].end(), [&](const Segment& line) {
+            cut.lines.creases[s].begin(), cut.lines.creases[s].end(), [&](const Segment& line) {
                 const Vec2 a = frame.flat(line[0]), b = frame.flat(line[1]);
                 double from = 0.0, to = 1.0;  // the part of the line inside the patch
                 for (std::size_t k = 0; k < p.size(); ++k) {

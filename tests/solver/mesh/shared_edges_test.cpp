@@ -40,16 +40,14 @@ TEST(SharedEdges, TrianglesOfACutQuadShareTheDiagonal) {
 
 TEST(SharedEdges, StayWholeWhereACreaseEndsOnThem) {
     // A partition stands across the seam of two floors.
-    const Scene scene =
-        scene_of({rectangle(Vec3(0, 0, 0), x, y), rectangle(x, x, y),
-                  rectangle(Vec3(0.5, 0.43, 0), x, z)});
+    const Scene scene = scene_of(
+        {rectangle(Vec3(0, 0, 0), x, y), rectangle(x, x, y), rectangle(Vec3(0.5, 0.43, 0), x, z)});
     EXPECT_EQ(edges_not_shared(cut(scene, 0.3)), "");
 }
 
 TEST(SharedEdges, StayWholeWhereARugEndsOnThem) {
-    const Scene scene =
-        scene_of({rectangle(Vec3(0, 0, 0), x, y), rectangle(x, x, y),
-                  rectangle(Vec3(0.6, 0.23, 0), 0.4 * x, 0.4 * y)});
+    const Scene scene = scene_of({rectangle(Vec3(0, 0, 0), x, y), rectangle(x, x, y),
+                                  rectangle(Vec3(0.6, 0.23, 0), 0.4 * x, 0.4 * y)});
     EXPECT_EQ(edges_not_shared(cut(scene, 0.3)), "");
 }
 

@@ -10,8 +10,8 @@
 namespace patchlight {
 namespace {
 
-constexpr double area_rounding = 1e-12;    // sums of some thousand triangles
-constexpr double circle_rounding = 1e-9;   // of a circle's radius squared: how deep a point may lie
+constexpr double area_rounding = 1e-12;   // sums of some thousand triangles
+constexpr double circle_rounding = 1e-9;  // of a circle's radius squared: how deep a point may lie
 
 const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
@@ -145,7 +145,7 @@ TEST(Triangulation, RefusesAPointOutside) {
 
 TEST(Triangulation, SplitsAnEdgeThatAPointLiesOn) {
     Triangulation mesh(square);
-    EXPECT_EQ(mesh.insert({0.5, 0.0}), 4);   // on the outline: one triangle becomes two
+    EXPECT_EQ(mesh.insert({0.5, 0.0}), 4);  // on the outline: one triangle becomes two
     EXPECT_EQ(mesh.triangles().size(), 3u);
     EXPECT_TRUE(has_edge(mesh, 0, 4));
     EXPECT_TRUE(has_edge(mesh, 4, 1));

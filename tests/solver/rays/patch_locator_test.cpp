@@ -29,7 +29,8 @@ std::optional<PatchIndex> holder(const CutScene& cut, SurfaceIndex s, const Vec3
         const std::vector<Vec3> corners = patch_corners(cut.mesh, i);
         double depth = 1e300;
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Vec2 a = frame.flat(corners[k]), b = frame.flat(corners[(k + 1) % corners.size()]);
+            const Vec2 a = frame.flat(corners[k]),
+                       b = frame.flat(corners[(k + 1) % corners.size()]);
             depth = std::min(depth, turn(a, b, Vec2::Zero()) / (b - a).norm());
         }
         if (depth > near_an_edge * scene_size(cut.scene)) return i;
@@ -86,9 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Shape{"square", flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}})},
                     Shape{"parallelogram", flat({{0, 0}, {1, 0}, {1.5, 0.8}, {0.5, 0.8}})},
                     Shape{"skewed_quad", flat({{0, 0}, {1.2, 0}, {1, 1}, {0.1, 0.7}})},
-                    Shape{"triangle", flat({{0, 0}, {1, 0}, {0.3, 0.9}})},
-                    Shape{"l", l_shape()}, Shape{"star", star(5, 0.4)},
-                    Shape{"disk", regular(64, 1.0)},
+                    Shape{"triangle", flat({{0, 0}, {1, 0}, {0.3, 0.9}})}, Shape{"l", l_shape()},
+                    Shape{"star", star(5, 0.4)}, Shape{"disk", regular(64, 1.0)},
                     Shape{"strip", flat({{0, 0}, {1, 0}, {1, 0.03}, {0, 0.04}})}),
     [](const auto& shape) { return shape.param.name; });
 

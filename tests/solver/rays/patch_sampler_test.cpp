@@ -15,8 +15,8 @@ namespace patchlight {
 namespace {
 
 constexpr int samples = 40000;
-constexpr int bins = 8;             // along each side of the box round the patch
-constexpr double sigmas = 4.5;      // of chi-square: 1 in 100 000 sound samplers fail
+constexpr int bins = 8;         // along each side of the box round the patch
+constexpr double sigmas = 4.5;  // of chi-square: 1 in 100 000 sound samplers fail
 constexpr float below_one = 0.99999994f;
 
 struct Shape {
@@ -111,8 +111,9 @@ TEST_P(SamplerOn, KeepsInsideTheOutline) {
     std::mt19937 chance(2);
     double least = 1e300;
     for (int n = 0; n < samples; ++n)
-        least = std::min(least, patch.depth(patch.at(static_cast<float>(uniform(chance)) * below_one,
-                                                     static_cast<float>(uniform(chance)) * below_one)));
+        least =
+            std::min(least, patch.depth(patch.at(static_cast<float>(uniform(chance)) * below_one,
+                                                 static_cast<float>(uniform(chance)) * below_one)));
     EXPECT_GT(least, 0.0);
 }
 

@@ -15,8 +15,7 @@ constexpr int many_rays = 100000;
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
 
 Vec3 point_in_unit_cube(std::mt19937& chance) {
-    return 0.01 * Vec3::Ones() +
-           0.98 * Vec3(uniform(chance), uniform(chance), uniform(chance));
+    return 0.01 * Vec3::Ones() + 0.98 * Vec3(uniform(chance), uniform(chance), uniform(chance));
 }
 
 TEST(Land, NothingEscapesFromAClosedRoom) {
@@ -85,8 +84,8 @@ TEST(Land, LeavesAloneWhatIsPastTheCount) {
 
 struct Wall {
     std::string name;
-    double gap;       // of the front facing up above the one facing down, of the scene's size [1]
-    bool up_first;    // as listed
+    double gap;     // of the front facing up above the one facing down, of the scene's size [1]
+    bool up_first;  // as listed
     friend std::ostream& operator<<(std::ostream& out, const Wall& wall) {
         return out << wall.name;
     }
@@ -118,12 +117,13 @@ TEST_P(OpposedQuads, ARayMeetsTheFrontThatFacesItFromEitherSide) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Land, OpposedQuads,
-    testing::Values(Wall{"coincident_up_first", 0.0, true},
-                    Wall{"coincident_down_first", 0.0, false}, Wall{"parted", 5e-7, true},
-                    Wall{"crossed_over", -5e-7, true}, Wall{"crossed_over_down_first", -5e-7, false}),
-    [](const auto& wall) { return wall.param.name; });
+INSTANTIATE_TEST_SUITE_P(Land, OpposedQuads,
+                         testing::Values(Wall{"coincident_up_first", 0.0, true},
+                                         Wall{"coincident_down_first", 0.0, false},
+                                         Wall{"parted", 5e-7, true},
+                                         Wall{"crossed_over", -5e-7, true},
+                                         Wall{"crossed_over_down_first", -5e-7, false}),
+                         [](const auto& wall) { return wall.param.name; });
 
 TEST(Land, OnARugListedLaterItIsTheRug) {
     for (const double gap : {0.0, 8e-7, -8e-7}) {  // above, below: within contact
@@ -192,17 +192,18 @@ TEST_P(EveryMotion, RaysLandOnTheSameSurfaces) {
     int different = 0;
     for (int n = 0; n < 20000; ++n) {
         const Vec3 p = point_in_unit_cube(chance), towards = random_direction(chance);
-        const Hit here = at_home.land(p, towards), there = away.land(motion(p), motion.turn * towards);
+        const Hit here = at_home.land(p, towards),
+                  there = away.land(motion(p), motion.turn * towards);
         different += here.surface != there.surface || here.landing != there.landing;
     }
     EXPECT_LE(different, 1);  // an edge is missed by rounding about once in a million rays
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Land, EveryMotion,
-    testing::Values(Motion{1e-4}, Motion{1e-4, Vec3(1, -1, 1)}, Motion{1e6},
-                    Motion{1e6, Vec3(1e10, 1e10, -1e10)}, Motion{1.0, Vec3(1e4, -2e4, 5e3)},
-                    Motion{3.0, Vec3(5, 6, 7)}));
+INSTANTIATE_TEST_SUITE_P(Land, EveryMotion,
+                         testing::Values(Motion{1e-4}, Motion{1e-4, Vec3(1, -1, 1)}, Motion{1e6},
+                                         Motion{1e6, Vec3(1e10, 1e10, -1e10)},
+                                         Motion{1.0, Vec3(1e4, -2e4, 5e3)},
+                                         Motion{3.0, Vec3(5, 6, 7)}));
 
 }  // namespace
 }  // namespace patchlight

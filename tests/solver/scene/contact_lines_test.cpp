@@ -60,8 +60,8 @@ TEST(ContactLines, ABoxWithoutABottomLeavesThemToo) {
 }
 
 TEST(ContactLines, AWallThroughTheFloorIsCutByItAndCutsIt) {
-    const Scene scene = scene_of(
-        {rectangle(Vec3(0, 0, 0), x, y), rectangle(Vec3(0.25, 0.5, -0.3), 0.5 * x, z)});
+    const Scene scene =
+        scene_of({rectangle(Vec3(0, 0, 0), x, y), rectangle(Vec3(0.25, 0.5, -0.3), 0.5 * x, z)});
     const auto lines = find_contact_lines(scene);
     const Vec3 a(0.25, 0.5, 0), b(0.75, 0.5, 0);
     ASSERT_EQ(lines[0].size(), 1u);

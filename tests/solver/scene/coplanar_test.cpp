@@ -78,8 +78,8 @@ TEST(CoplanarOverlaps, ReachAMillionthOfTheSceneAndNoFarther) {
     for (const double scale : {1e-4, 1.0, 1e6})
         for (const double side : {-1.0, 1.0}) {
             const auto overlap = [&](double height) {
-                return overlaps_of({moved(floor_at(0), {scale}),
-                                    moved(rug_at(side * height), {scale})})
+                return overlaps_of(
+                           {moved(floor_at(0), {scale}), moved(rug_at(side * height), {scale})})
                     .any(0);
             };
             EXPECT_TRUE(overlap(0.9 * contact)) << scale;

@@ -32,14 +32,15 @@ struct Shape {
 };
 
 std::vector<Shape> shapes() {
-    std::vector<Shape> all{{"square", in_plane(rectangle(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)))},
-                           {"l", in_plane(l_shape())},
-                           {"star", in_plane(star(5, 0.4))},
-                           {"thin_star", in_plane(star(24, 0.05))},
-                           {"comb", in_plane(comb(6))},
-                           {"spiral", in_plane(spiral(4))},
-                           {"disk", in_plane(regular(64, 1.0))},
-                           {"needle", in_plane(flat({{0, 0}, {1, 0}, {1, 1e-4}, {0, 1e-4}}))}};
+    std::vector<Shape> all{
+        {"square", in_plane(rectangle(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)))},
+        {"l", in_plane(l_shape())},
+        {"star", in_plane(star(5, 0.4))},
+        {"thin_star", in_plane(star(24, 0.05))},
+        {"comb", in_plane(comb(6))},
+        {"spiral", in_plane(spiral(4))},
+        {"disk", in_plane(regular(64, 1.0))},
+        {"needle", in_plane(flat({{0, 0}, {1, 0}, {1, 1e-4}, {0, 1e-4}}))}};
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u})
         all.push_back({"random_" + std::to_string(seed),
                        in_plane(random_outline(seed, 5 + 9 * static_cast<int>(seed)))});
@@ -121,7 +122,8 @@ TEST(Centroid, IsTheCentreOfGravityOfAConcavePolygon) {
     EXPECT_LT((centroid(l_shape(), Vec3::UnitZ()) - expected).norm(), rounding);
     const Motion motion{2.0, Vec3(5, -7, 2), odd_turn()};
     const Vec3 normal = motion.turn * Vec3::UnitZ();
-    EXPECT_LT((centroid(moved(l_shape(), motion), normal) - motion(expected)).norm(), rounding * 10);
+    EXPECT_LT((centroid(moved(l_shape(), motion), normal) - motion(expected)).norm(),
+              rounding * 10);
 }
 
 TEST(FrameOf, IsOrthonormalAndRightHandedForAnyNormal) {

@@ -91,8 +91,10 @@ TEST(AddPolygon, CutsAnUnevenPolygonIntoTrianglesThatAllFaceItsWay) {
 TEST(AddPolygon, DropsPolygonsWithoutAreaAndCountsThem) {
     Scene scene = empty_scene();
     scene.objects.push_back({"crumbs"});
-    const std::vector<Polygon> crumbs{flat({{0, 0}, {1, 1}, {2, 2}}), flat({{0, 0}, {1, 0}}),
-                                      flat({{3, 3}, {3, 3}, {3, 3}, {3, 3}}), {}};
+    const std::vector<Polygon> crumbs{flat({{0, 0}, {1, 1}, {2, 2}}),
+                                      flat({{0, 0}, {1, 0}}),
+                                      flat({{3, 3}, {3, 3}, {3, 3}, {3, 3}}),
+                                      {}};
     for (const Polygon& crumb : crumbs) add_polygon(scene, 0, white, 0, crumb, "/objects/0");
     EXPECT_TRUE(scene.surfaces.empty());
     ASSERT_EQ(scene.findings.size(), 1u);
@@ -106,8 +108,8 @@ TEST(AddPolygon, KeepsANeedle) {
 }
 
 TEST(AddPolygon, TakesRepeatedCornersForOne) {
-    const Scene scene = scene_of(
-        flat({{0, 0}, {0, 0}, {1, 0}, {1, 1}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}));
+    const Scene scene =
+        scene_of(flat({{0, 0}, {0, 0}, {1, 0}, {1, 1}, {1, 1}, {1, 1}, {0, 1}, {0, 0}}));
     ASSERT_EQ(scene.surfaces.size(), 1u);
     EXPECT_EQ(scene.surfaces[0].corners, flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}));
 }

@@ -1,0 +1,140 @@
+#include "solver/solve_plan.h"
+
+#include "solver/mesh/make_patches.h"
+#include "solver/scene/input_error.h"
+#include "tests/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+namespace patchlight {
+namespace {
+
+std::string refused_at(const std::function<void(SolveSettings&)>& change) {
+    SolveSettings settings;
+    change(settings);
+    try {
+        plan_solve(room(), settings);
+    } catch (const InputError& error) {
+        return error.pointer();
+    }
+    return "not refused";
+}
+
+TEST(PlanSolve, RefusesWhatIsNotBuiltWithThePointer) {
+    EXPECT_EQ(refused_at([](SolveSettings& s) { s.method = Method::shooting; }), "/solve/solver");
+    EXPECT_EQ(refused_at([](SolveSettings& s) { s.method = Method::hierarchical; }),
+              "/solve/solver");
+    EXPECT_EQ(refused_at([](SolveSettings& s) { s.engine = Engine::hemicube; }),
+              "/solve/form_factors");
+    EXPECT_EQ(refused_at([](SolveSettings& s) { s.accuracy = 0.01; }), "/solve/accuracy");
+    EXPECT_EQ(refused_at([](SolveSettings& s) { s.ambient = true; }), "/solve/ambient");
+    EXPECT_EQ(refused_at([](SolveSettings& s) { s.hemicube_resolution = 256; }),
+              "/solve/hemicube_resolution");
+}
+
+TEST(PlanSolve, MakesEveryChoice) {
+    const SolvePlan plan = plan_solve(room(), {});
+    EXPECT_EQ(plan.settings.method, Method::gauss_seidel);
+    EXPECT_EQ(plan.settings.engine, Engine::analytic);
+    EXPECT_EQ(plan.settings.patch_size, default_patch_size(room()));
+    EXPECT_TRUE(plan.settings.rays && plan.settings.tolerance && plan.settings.max_iterations &&
+                plan.settings.memory_limit);
+    EXPECT_GE(plan.settings.threads, 1);
+    EXPECT_FALSE(plan.settings.time_limit);
+    EXPECT_FALSE(plan.why.empty());
+}
+
+TEST(PlanSolve, KeepsWhatIsGiven) {
+    SolveSettings given;
+    given.engine = Engine::ray_cast;
+    given.patch_size = 0.5;
+    given.rays = 77;
+    given.tolerance = 1e-3;
+    given.max_iterations = 5;
+    given.memory_limit = 12345;
+    given.threads = 3;
+    given.seed = 9;
+    const SolveSettings planned = plan_solve(room(), given).settings;
+    EXPECT_EQ(planned.engine, Engine::ray_cast);
+    EXPECT_EQ(planned.patch_size, 0.5);
+    EXPECT_EQ(planned.rays, 77);
+    EXPECT_EQ(planned.tolerance, 1e-3);
+    EXPECT_EQ(planned.max_iterations, 5);
+    EXPECT_EQ(planned.memory_limit, 12345u);
+    EXPECT_EQ(planned.threads, 3);
+    EXPECT_EQ(planned.seed, 9u);
+}
+
+TEST(PlanSolve, SaysWhetherTheSceneIsGrey) {
+    Scene coloured = room();
+    EXPECT_TRUE(is_grey(coloured));
+    const std::string grey_why = plan_solve(coloured, {}).why;
+    coloured.materials[white].reflectance = Rgb(0.5, 0.4, 0.5);
+    EXPECT_FALSE(is_grey(coloured));
+    EXPECT_NE(plan_solve(coloured, {}).why, grey_why);
+}
+
+TEST(CheckMemory, NamesBothNumbersWhenItRefuses) {
+    SolveSettings settings;
+    settings.memory_limit = 123456789;
+    const SolveSettings planned = plan_solve(room(), settings).settings;
+    try {
+        check_memory(room(), 100000, planned);
+        FAIL() << "not refused";
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        EXPECT_EQ(error.pointer(), "/solve/patch_size");
+        EXPECT_NE(text.find("123456789"), std::string::npos) << text;
+        EXPECT_NE(text.find(std::to_string(estimate_memory(room(), 100000, planned))),
+                  std::string::npos)
+            << text;
+    }
+}
+
+TEST(CheckMemory, LetsPassWhatFits) {
+    SolveSettings settings;
+    settings.memory_limit = std::uint64_t{1} << 30;
+    EXPECT_NO_THROW(check_memory(room(), 1000, plan_solve(room(), settings).settings));
+}
+
+TEST(EstimateMemory, GrowsWithThePatchesAndDoesNotOverflow) {
+    const SolveSettings planned = plan_solve(room(), {}).settings;
+    EXPECT_GT(estimate_memory(room(), 10000, planned), 400'000'000u);  // the matrix alone
+    EXPECT_LT(estimate_memory(room(), 10000, planned), 4'000'000'000u);
+    std::uint64_t before = 0;
+    for (std::size_t patches = 1; patches < std::size_t{1} << 60; patches *= 16) {
+        EXPECT_GE(estimate_memory(room(), patches, planned), before);
+        before = estimate_memory(room(), patches, planned);
+    }
+    EXPECT_GT(before, std::uint64_t{1} << 62);
+}
+
+TEST(EstimateCost, KnowsThePatchesBeforeTheyAreMade) {
+    SolveSettings settings;
+    settings.patch_size = 0.1;
+    const CostEstimate cost = estimate_cost(room(), settings);
+    EXPECT_EQ(cost.patches, 600u);
+    EXPECT_GT(cost.memory, 0u);
+    EXPECT_GT(cost.seconds, 0.0);
+}
+
+TEST(SolveScene, RefusesASceneThatWouldNotFit) {
+    SolveSettings settings;
+    settings.patch_size = 1e-5;
+    EXPECT_THROW(solve_scene(room(), settings, {}), InputError);
+}
+
+TEST(SolveScene, RefusesASceneWithNothingInIt) {
+    try {
+        solve_scene(empty_scene(), {}, {});
+        FAIL() << "not refused";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.pointer(), "/objects");
+    }
+}
+
+}  // namespace
+}  // namespace patchlight
