@@ -12,8 +12,8 @@ namespace patchlight {
 namespace {
 
 constexpr double mostly_hidden =
-    0.95;                           // of a patch: what it says of its vertices does not count [1]
-constexpr double overshoot = 0.25;  // of the neighbourhood's range, beyond it [1]
+    0.95;                          // of a patch: what it says of its vertices does not count [1]
+constexpr double overshoot = 1.0;  // of the neighbourhood's range, beyond it [1]
 
 using Slope = Eigen::Matrix<double, 3, 3>;  // rows: channels; columns: world axes
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace patchlight {
 
@@ -31,8 +32,14 @@ PatchSampler make_sampler(const PatchMesh& mesh, PatchIndex i, const Vec3& norma
     sampler.third_edge = (e3 * scale).cast<float>();
     const double first = e1.cross(e2).dot(normal), second = e2.cross(e3).dot(normal);
     sampler.first_share = patch.is_triangle() ? 1.0f : static_cast<float>(first / (first + second));
-    const double width = patch.area / std::max({e1.norm(), e2.norm(), e3.norm()}) * scale;
-    sampler.margin = static_cast<float>(std::min(largest_margin, clear_of_edge / width));
+    double clear =
+        std::numeric_limits<double>::infinity();  // of the centre from the nearest edge [m]
+    for (std::size_t k = 0; k < patch.corner_count(); ++k) {
+        const Vec3 along = p[(k + 1) % patch.corner_count()] - p[k];
+        clear = std::min(clear, along.normalized().cross(patch.centre - p[k]).norm());
+    }
+    sampler.centre = rays.to_ray_space(patch.centre);
+    sampler.margin = static_cast<float>(std::min(largest_margin, clear_of_edge / (clear * scale)));
     const PlaneFrame frame = frame_of(Vec3::Zero(), normal);
     sampler.tangent = frame.u.cast<float>();
     sampler.bitangent = frame.v.cast<float>();
@@ -41,15 +48,17 @@ PatchSampler make_sampler(const PatchMesh& mesh, PatchIndex i, const Vec3& norma
 }
 
 RayPoint PatchSampler::at(float u, float v) const {
-    const auto inside = [&](float t) { return margin + (1.0f - 2.0f * margin) * t; };
-    v = inside(v);
-    if (parallelogram) return corner + inside(u) * first_edge + v * second_edge;
+    if (parallelogram) {
+        const auto inside = [&](float t) { return margin + (1.0f - 2.0f * margin) * t; };
+        return corner + inside(u) * first_edge + inside(v) * second_edge;
+    }
     const bool in_first = u < first_share;
-    const float s = inside(in_first ? u / first_share : (u - first_share) / (1.0f - first_share));
+    const float s = in_first ? u / first_share : (u - first_share) / (1.0f - first_share);
     const float root = std::sqrt(s);  // Turk, "Generating Random Points in Triangles", 1990
     const RayPoint& near_edge = in_first ? first_edge : second_edge;
     const RayPoint& far_edge = in_first ? second_edge : third_edge;
-    return corner + root * (1.0f - v) * near_edge + root * v * far_edge;
+    const RayPoint p = corner + root * (1.0f - v) * near_edge + root * v * far_edge;
+    return p + margin * (centre - p);
 }
 
 }  // namespace patchlight

@@ -13,9 +13,10 @@ namespace patchlight {
 struct PatchSampler {
     RayPoint corner, first_edge, second_edge;  // of the parallelogram, or of triangle 0-1-2
     RayPoint third_edge;                       // triangle 0-2-3: from corner 0 to 3
+    RayPoint centre;                           // centroid
     RayPoint tangent, bitangent, normal;       // right-handed frame
     float first_share = 1.0f;                  // of the area that is triangle 0-1-2
-    float margin = 0.0f;                       // kept from each end of a coordinate in [0, 1]
+    float margin = 0.0f;  // kept from the edges, a share of the way to the centre [1]
     bool parallelogram = false;
 
     /// (u, v) in [0, 1)² to a point; areas are kept.

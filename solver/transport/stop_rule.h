@@ -21,7 +21,7 @@ struct SolveReport {
     Field radiosity;    // B [W/m²]
     Residual residual;  // of that B
     std::vector<ConvergenceStep> convergence;
-    StopReason stopped_by = StopReason::tolerance;
+    StopReason stopped_by = StopReason::iteration_limit;
     bool used_conjugate_gradients = false;
 };
 

@@ -32,8 +32,11 @@ std::vector<ConvexPolygon> fan(const Polygon& polygon) {
 }
 
 Polygon random_facet(std::mt19937& chance) {
+    return random_facet(chance, uniform(chance) < 0.3 ? 3 : 4);
+}
+
+Polygon random_facet(std::mt19937& chance, int corners) {
     const PlaneFrame frame = frame_of(Vec3::Zero(), random_direction(chance));
-    const int corners = uniform(chance) < 0.3 ? 3 : 4;
     Polygon facet;
     for (int k = 0; k < corners; ++k) {
         const double angle = 2.0 * std::numbers::pi * (k + 0.4 * uniform(chance)) / corners;

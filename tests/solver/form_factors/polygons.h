@@ -9,7 +9,9 @@ ConvexPolygon convex(const Polygon& polygon);
 /// A convex polygon of any number of corners as a fan of small ones round its centre.
 std::vector<ConvexPolygon> fan(const Polygon& polygon);
 
-/// A polygon of 3 or 4 corners of about unit size about the origin, facing somewhere.
+/// A polygon of about unit size about the origin, facing somewhere.
+Polygon random_facet(std::mt19937& chance, int corners);
+/// The same of 3 or 4 corners.
 Polygon random_facet(std::mt19937& chance);
 Vec3 normal_of(const Polygon& polygon);
 /// Whether each lies wholly in front of the other.
