@@ -184,7 +184,7 @@ TEST(CommandLine, WithoutConvergenceItSaysSoAndWritesItsOutputs) {
 TEST(CommandLine, AnInterruptedSolveWritesWhatThereIs) {
     const Outcome outcome =
         run_program("solve " + box_file() +
-                        " --form-factors ray-cast --rays 100000 --patch-size 0.1"
+                        " --form-factors ray-cast --rays 1000000 --patch-size 0.1"
                         " --stats s.json --image i.pfm",
                     "timeout --preserve-status -s INT 1");
     EXPECT_EQ(outcome.code, 130) << outcome.err;
