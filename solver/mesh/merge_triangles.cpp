@@ -10,6 +10,8 @@ namespace {
 
 constexpr double worst_corner = 0.65;  // |cosine| of a quad's corner: 49 to 131 degrees [1]
 
+constexpr double ties = 1e9;  // quads as rectangular to 1e-9 are chosen by number, not by rounding
+
 using Quad = std::array<std::uint32_t, 4>;
 
 Quad quad_of(const Triangulation::Triangle& here, int edge, std::uint32_t apex_beyond) {
@@ -43,7 +45,8 @@ MergedFaces merge_triangles(const Triangulation& triangulation) {
                 const Quad quad =
                     quad_of(triangles[t], k, static_cast<std::uint32_t>(triangles[s].vertices[l]));
                 const double skew = skewness(triangulation.points(), quad);
-                if (skew <= worst_corner) pairs.emplace_back(skew, t, s, quad);
+                if (skew <= worst_corner)
+                    pairs.emplace_back(std::round(skew * ties) / ties, t, s, quad);
             }
         }
     std::sort(pairs.begin(), pairs.end());

@@ -9,10 +9,10 @@ namespace patchlight {
 
 using Segment = std::array<Vec3, 2>;  // [m]
 
-/// Where other surfaces meet each surface inside its outline: edges that rest on it (the foot of a
-/// box), and cuts of surfaces that pass through it. Light and shadow end sharply there, so patches
-/// that straddle such a line would carry them across. Lines along the surface's own edges are left
-/// out: there the mesh ends anyway.
+/// Where other surfaces meet each surface inside its outline (a line may go on beyond it): edges
+/// that rest on it (the foot of a box), and cuts of surfaces that pass through it. Light and shadow
+/// end sharply there, so patches that straddle such a line would carry them across. Lines along the
+/// surface's own edges are left out: there the mesh ends anyway.
 std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene);
 
 }  // namespace patchlight

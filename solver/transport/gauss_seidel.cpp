@@ -73,6 +73,7 @@ SolveReport solve_gauss_seidel(const RadiosityProblem& problem, const StopRule& 
         report.stopped_by =
             bound && *bound <= stop.tolerance ? StopReason::tolerance : StopReason::iteration_limit;
         if (report.stopped_by == StopReason::tolerance) return true;
+        if (!stop.observe) return false;
         const StopReason told = stop.observe(iteration, report.residual.relative);
         if (told != StopReason::tolerance) report.stopped_by = told;
         return told != StopReason::tolerance;

@@ -13,7 +13,8 @@ enum class StopReason : std::uint8_t { tolerance, iteration_limit, time_limit, c
 struct StopRule {
     double tolerance = 1e-4;  // of the algebraic bound [1]
     int max_iterations = 1000;
-    /// Called after each iteration; what it answers other than `tolerance` stops the work.
+    /// Called after each iteration, if given; what it answers other than `tolerance` stops the
+    /// work.
     std::function<StopReason(int iteration, double residual)> observe;
 };
 
