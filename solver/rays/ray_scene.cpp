@@ -18,7 +18,9 @@ namespace patchlight {
 namespace {
 
 constexpr double lift_alone = 0.3;  // of the contact distance; floats in ray space step by 6e-8 [1]
-constexpr double lift_off_partner = 1.2;    // of the contact distance [1]
+constexpr double lift_off_partner = 1.2;  // of the contact distance [1]
+constexpr float inside_edge = 4.0f;  // contact distances: where a hit on an edge is looked at again
+constexpr float largest_share = 0.05f;      // of a triangle's height, that counts as its edge
 constexpr float beyond_everything = 16.0f;  // ray space is 2 across
 
 }  // namespace
@@ -71,6 +73,15 @@ void RayScene::find_lifts(const Scene& scene, const CoplanarOverlaps& overlaps) 
     }
 }
 
+RayScene::Triangle RayScene::make_triangle(SurfaceIndex s, const RayPoint& a, const RayPoint& b,
+                                           const RayPoint& c) const {
+    const float twice_area = (b - a).cross(c - a).norm();
+    const float longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const float height = twice_area / longest;  // the smallest of the three
+    return {s, (a + b + c) / 3.0f,
+            height > 0.0f ? std::min(largest_share, contact_ / height) : largest_share};
+}
+
 void RayScene::build(const Scene& scene) {
     std::vector<RayPoint> vertices;
     std::vector<std::uint32_t> indices;
@@ -85,7 +96,9 @@ void RayScene::build(const Scene& scene) {
         }
         for (const auto& triangle : triangulate(flat)) {
             for (const std::uint32_t corner : triangle) indices.push_back(first + corner);
-            surface_of_.push_back(s);
+            triangles_.push_back(make_triangle(s, vertices[first + triangle[0]],
+                                               vertices[first + triangle[1]],
+                                               vertices[first + triangle[2]]));
         }
     }
     const RTCGeometry geometry = rtcNewGeometry(device_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -94,7 +107,7 @@ void RayScene::build(const Scene& scene) {
                                 3 * sizeof(float), vertices.size()));
     auto* index_buffer = static_cast<std::uint32_t*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(std::uint32_t), surface_of_.size()));
+                                3 * sizeof(std::uint32_t), triangles_.size()));
     if (!vertex_buffer || !index_buffer) throw std::bad_alloc();
     for (std::size_t v = 0; v < vertices.size(); ++v)
         for (int axis = 0; axis < 3; ++axis)
@@ -155,16 +168,52 @@ void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) con
             landings.landing[k] = Landing::escaped;
             continue;
         }
-        const SurfaceIndex s = surface_of_[query.hit.primID[k]];
-        const float t = query.ray.tfar[k];
-        landings.surface[k] = s;
-        landings.x[k] = rays.ox[k] + t * rays.dx[k];
-        landings.y[k] = rays.oy[k] + t * rays.dy[k];
-        landings.z[k] = rays.oz[k] + t * rays.dz[k];
-        const RayPoint direction(rays.dx[k], rays.dy[k], rays.dz[k]);
-        landings.landing[k] = normals_[s].dot(direction) < 0.0f ? Landing::front : Landing::back;
-        if (!partners_[s].empty()) resolve_contact(landings, k, direction);
+        const std::uint32_t triangle = query.hit.primID[k];
+        const RayPoint origin(rays.ox[k], rays.oy[k], rays.oz[k]),
+            direction(rays.dx[k], rays.dy[k], rays.dz[k]);
+        set_landing(landings, k, triangles_[triangle].surface,
+                    origin + query.ray.tfar[k] * direction, direction);
+        const float u = query.hit.u[k], v = query.hit.v[k];
+        if (std::min({u, v, 1.0f - u - v}) < triangles_[triangle].edge_share)
+            resolve_edge(landings, k, origin, triangle);
     }
+}
+
+void RayScene::set_landing(LandingBatch& landings, int k, SurfaceIndex s, const RayPoint& at,
+                           const RayPoint& direction) const {
+    landings.surface[k] = s;
+    landings.x[k] = at.x();
+    landings.y[k] = at.y();
+    landings.z[k] = at.z();
+    landings.landing[k] = normals_[s].dot(direction) < 0.0f ? Landing::front : Landing::back;
+    if (!partners_[s].empty()) resolve_contact(landings, k, direction);
+}
+
+void RayScene::resolve_edge(LandingBatch& landings, int k, const RayPoint& origin,
+                            std::uint32_t triangle) const {
+    const SurfaceIndex s = triangles_[triangle].surface;
+    const RayPoint at(landings.x[k], landings.y[k], landings.z[k]);
+    const RayPoint inward = triangles_[triangle].centre - at;
+    const float step = std::min(1.0f, inside_edge * contact_ / inward.norm());
+    const float side = normals_[s].dot(origin - at) > 0.0f ? 1.0f : -1.0f;
+    const RayPoint direction = at + step * inward + side * lift_[s] * normals_[s] - origin;
+    RTCRayHit query{};
+    query.ray.org_x = origin.x(), query.ray.org_y = origin.y(), query.ray.org_z = origin.z();
+    query.ray.dir_x = direction.x(), query.ray.dir_y = direction.y(),
+    query.ray.dir_z = direction.z();
+    query.ray.tfar = 1.0f;
+    query.ray.mask = ~0u;
+    query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(device_->scene, &query, nullptr);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(device_->scene, &context, &query);
+#endif
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+    set_landing(landings, k, triangles_[query.hit.primID].surface,
+                origin + query.ray.tfar * direction, direction);
 }
 
 void RayScene::resolve_contact(LandingBatch& landings, int k, const RayPoint& direction) const {

@@ -60,6 +60,10 @@ class RayScene {
     void find_lifts(const Scene& scene, const CoplanarOverlaps& overlaps);
     void build(const Scene& scene);
     void resolve_contact(LandingBatch& landings, int k, const RayPoint& direction) const;
+    void resolve_edge(LandingBatch& landings, int k, const RayPoint& origin,
+                      std::uint32_t triangle) const;
+    void set_landing(LandingBatch& landings, int k, SurfaceIndex s, const RayPoint& at,
+                     const RayPoint& direction) const;
 
     struct Outline {  // of a surface that shares its plane with others
         PlaneFrame frame;
@@ -70,8 +74,15 @@ class RayScene {
     double scale_ = 1.0;
     float contact_ = 0.0f;
     std::vector<float> lift_;
-    std::vector<RayPoint> normals_;         // of surfaces
-    std::vector<SurfaceIndex> surface_of_;  // of triangles
+    std::vector<RayPoint> normals_;  // of surfaces
+    struct Triangle {
+        SurfaceIndex surface = 0;
+        RayPoint centre;
+        float edge_share = 0.0f;  // of a height: nearer an edge is in contact with it [1]
+    };
+    Triangle make_triangle(SurfaceIndex s, const RayPoint& a, const RayPoint& b,
+                           const RayPoint& c) const;
+    std::vector<Triangle> triangles_;
     std::vector<std::vector<SurfaceIndex>> partners_;
     std::vector<Outline> outlines_;  // in ray space; empty where there are no partners
     std::unique_ptr<Device> device_;

@@ -55,6 +55,24 @@ TEST(Land, NothingEscapesAlongTheDiagonalsWhereTrianglesMeet) {
     EXPECT_EQ(not_on_a_front, 0);
 }
 
+TEST(Land, AtTheEdgesOfASharedWallIsNeverInTheNextRoom) {
+    Scene two_rooms = empty_scene();
+    add_box(two_rooms, Vec3::Zero(), Vec3::Ones(), Facing::inwards);
+    const auto first_of_next = static_cast<SurfaceIndex>(two_rooms.surfaces.size());
+    add_box(two_rooms, x, x + Vec3::Ones(), Facing::inwards);
+    const Caster rooms(two_rooms);
+    std::mt19937 chance(4);
+    int in_the_next_room = 0;
+    for (int n = 0; n < many_rays; ++n) {
+        Vec3 target(1.0, uniform(chance), uniform(chance));
+        target[1 + n % 2] = uniform(chance) < 0.5 ? 0.0 : 1.0;  // on an edge of the wall x = 1
+        const Vec3 origin = point_in_unit_cube(chance);
+        const Hit hit = rooms.land(origin, target - origin);
+        in_the_next_room += hit.landing == Landing::front && hit.surface >= first_of_next;
+    }
+    EXPECT_EQ(in_the_next_room, 0);
+}
+
 TEST(Land, TellsFrontBackAndEscapeApart) {
     const Caster square(scene_of(rectangle(Vec3::Zero(), x, y)));
     EXPECT_EQ(square.land(Vec3(0.5, 0.5, 0.4), -z).landing, Landing::front);
