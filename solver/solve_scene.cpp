@@ -190,7 +190,8 @@ struct Solver {
         solution.energy =
             measure_energy(scene, solution.mesh, exchange, solution.radiosity, solution.irradiance);
         for (PatchIndex i = 0; i < solution.mesh.size(); ++i)
-            if (exchange.escaped[i] > 0.0 && (solution.radiosity[i] > 0.0).any()) solution.form_factors.open = true;
+            if (exchange.escaped[i] > 0.0 && (solution.radiosity[i] > 0.0).any())
+                solution.form_factors.open = true;
         solution.seconds.solve = watch.lap();
     }
 
