@@ -29,9 +29,6 @@ class FormFactorMatrix {
 
     double row_sum(PatchIndex i) const { return rows_[i].sum; }
     double at(PatchIndex i, PatchIndex j) const;
-    std::uint64_t bytes() const {
-        return factors_.size() * sizeof(float) + columns_.size() * sizeof(PatchIndex);
-    }
 
   private:
     struct Row {

@@ -1,7 +1,6 @@
 #include "solver/form_factors/unoccluded_exchange.h"
 
 #include "solver/form_factors/contour_exchange.h"
-#include "solver/form_factors/point_factor.h"
 #include "solver/mesh/make_patches.h"
 
 #include <algorithm>
