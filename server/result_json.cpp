@@ -61,15 +61,21 @@ Json form_factors_of(const FormFactorReport& form_factors) {
     block["open"] = form_factors.open;
     block["repair"] = {{"before", closure_of(form_factors.measured)},
                        {"after", closure_of(form_factors.repaired)}};
+    if (const auto& hemicube = form_factors.hemicube)
+        block["hemicube"] = {{"proximity", hemicube->proximity},
+                             {"visibility", hemicube->visibility},
+                             {"aliasing", hemicube->aliasing}};
     return block;
 }
 
 Json convergence_of(const std::vector<ConvergenceStep>& steps) {
     Json list = Json::array();
-    for (const ConvergenceStep& step : steps)
+    for (const ConvergenceStep& step : steps) {
         list.push_back({{"iteration", step.iteration},
                         {"seconds", step.seconds},
                         {"residual", step.residual}});
+        if (step.unshot) list.back()["unshot"] = *step.unshot;
+    }
     return list;
 }
 

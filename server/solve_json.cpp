@@ -26,6 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Range above_zero{0, infinity, true};
 constexpr Range between_zero_and_one{0, 1, true, true};
 constexpr int most_rays = 1 << 24;
+constexpr int most_hemicube_cells = 4096;  // along the top face's edge
 
 template <typename Choice, std::size_t count>
 Choice read_choice(const JsonValue& value,
@@ -77,7 +78,7 @@ void read_solve(const JsonValue& block, double metres, SolveSettings& settings) 
     block.require_object({"solver", "form_factors", "accuracy", "patch_size", "rays",
                           "hemicube_resolution", "tolerance", "max_iterations", "ambient", "seed",
                           "time_limit", "memory_limit"});
-    refuse_not_built(block, {"accuracy", "hemicube_resolution", "ambient"});
+    refuse_not_built(block, {"accuracy"});
     if (const auto solver = block.find("solver")) settings.method = read_choice(*solver, methods);
     if (const auto engine = block.find("form_factors"))
         settings.engine = read_choice(*engine, engines);
@@ -85,6 +86,10 @@ void read_solve(const JsonValue& block, double metres, SolveSettings& settings) 
         settings.patch_size = read_patch_size(*patch_size, metres);
     if (const auto rays = block.find("rays"))
         settings.rays = static_cast<int>(rays->whole_number(1, most_rays));
+    if (const auto resolution = block.find("hemicube_resolution"))
+        settings.hemicube_resolution =
+            static_cast<int>(resolution->whole_number(2, most_hemicube_cells));
+    if (const auto ambient = block.find("ambient")) settings.ambient = ambient->boolean();
     if (const auto tolerance = block.find("tolerance"))
         settings.tolerance = tolerance->number(between_zero_and_one);
     if (const auto iterations = block.find("max_iterations"))

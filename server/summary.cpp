@@ -89,13 +89,13 @@ std::string finding_lines(const std::vector<Finding>& findings) {
 
 std::string summary(const Job& job, const JobResult& result) {
     const Solution& solution = result.solution;
-    std::string lines = "status:    " + name_of(solution.status) + "\n" +  //
-                        "method:    " + name_of(solution.settings.method) + " on " +
-                        name_of(solution.settings.engine) + " form factors\n" +
-                        "why:       " + solution.why + "\n" + "size:      polygons " +
-                        std::to_string(job.scene.surfaces.size()) + ", patches " +
-                        std::to_string(solution.mesh.size()) + ", iterations " +
-                        std::to_string(solution.convergence.size()) + "\n";
+    const int iterations = solution.convergence.empty() ? 0 : solution.convergence.back().iteration;
+    std::string lines =
+        "status:    " + name_of(solution.status) + "\n" +  //
+        "method:    " + name_of(solution.settings.method) + " on " +
+        name_of(solution.settings.engine) + " form factors\n" + "why:       " + solution.why +
+        "\n" + "size:      polygons " + std::to_string(job.scene.surfaces.size()) + ", patches " +
+        std::to_string(solution.mesh.size()) + ", iterations " + std::to_string(iterations) + "\n";
     if (is_solved(solution))
         lines += error_line(solution) + energy_line(job, solution.energy) +
                  brightest_line(job, solution);

@@ -6,6 +6,8 @@
 
 namespace patchlight {
 
+struct DisplayMesh;
+
 enum class Method : std::uint8_t { automatic, gauss_seidel, shooting, hierarchical };
 enum class Engine : std::uint8_t { automatic, hemicube, ray_cast, analytic };
 
@@ -34,7 +36,10 @@ struct Progress {
     Stage stage = Stage::mesh;
     double fraction = 0.0;  // of this stage [1]
     int iteration = 0;
-    double residual = 0.0;  // of the solver, relative [1]
+    double residual = 0.0;                        // of the solver, relative [1]
+    std::optional<double> unshot = std::nullopt;  // shooting: share of the light not sent on [1]
+    /// The display field so far, while there is one; good during the call.
+    const std::function<DisplayMesh()>* picture = nullptr;
 };
 
 /// Called after each step from the thread that called the solver; `stop` ends the work with what

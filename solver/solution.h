@@ -45,17 +45,27 @@ struct ClosureReport {
     double reciprocity_max = 0.0;  // largest |A_i F_ij - A_j F_ji| / min(A_i, A_j)
 };
 
+/// What the error of hemicube form factors is made of: the share of a patch's light that one cause
+/// sends to the wrong patch, mean over a sample of patches [1].
+struct HemicubeErrors {
+    double proximity = 0.0;   // a patch is not far for its size
+    double visibility = 0.0;  // its centre does not see what the whole of it sees
+    double aliasing = 0.0;    // a cell sees one patch only
+};
+
 struct FormFactorReport {
     ClosureReport measured;  // as the engine gave them
     ClosureReport repaired;  // as they were used
     std::uint64_t rays = 0;
-    bool open = false;  // light escapes
+    bool open = false;                       // light escapes
+    std::optional<HemicubeErrors> hemicube;  // of that engine alone
 };
 
 struct ConvergenceStep {
     int iteration = 0;
     double seconds = 0.0;  // since the solve began
     double residual = 0.0;  // ‖E + ρFB − B‖ / ‖E‖, area-weighted 2-norm, worst channel [1]
+    std::optional<double> unshot = std::nullopt;  // share of the light not yet sent on [1]
 };
 
 struct ObjectReport {

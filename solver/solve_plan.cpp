@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <thread>
 
 namespace patchlight {
@@ -18,24 +19,55 @@ constexpr int default_analytic_rays = 1024;
 constexpr int default_cast_rays = 4096;
 constexpr double default_tolerance = 1e-4;
 constexpr int default_iterations = 1000;
+constexpr int default_shots = 10'000'000;
+constexpr int default_hemicube_resolution = 128;
 constexpr double share_of_machine = 0.8;  // of its memory that a solve may take unasked
 
 void refuse_unbuilt(const SolveSettings& settings) {
-    if (settings.method == Method::shooting || settings.method == Method::hierarchical)
-        throw InputError("/solve/solver", "this solver is not built yet; use \"gauss-seidel\"");
-    if (settings.engine == Engine::hemicube)
-        throw InputError("/solve/form_factors",
-                         "`hemicube` is not built yet; use \"analytic\" or \"ray-cast\"");
+    if (settings.method == Method::hierarchical)
+        throw InputError("/solve/solver",
+                         "this solver is not built yet; use \"gauss-seidel\" or \"shooting\"");
     if (settings.accuracy)
         throw InputError(
             "/solve/accuracy",
             "solving to an accuracy is not built yet; give `patch_size`, `rays` and `tolerance`");
-    if (settings.ambient)
-        throw InputError("/solve/ambient",
-                         "belongs to the solver `shooting`, which is not built yet");
-    if (settings.hemicube_resolution)
-        throw InputError("/solve/hemicube_resolution",
-                         "belongs to the engine `hemicube`, which is not built yet");
+}
+
+/// Settings that the chosen method or engine has no use for.
+void refuse_idle(const SolveSettings& settings) {
+    if (settings.ambient.value_or(false) && settings.method != Method::shooting &&
+        settings.method != Method::automatic)
+        throw InputError("/solve/ambient", "belongs to the solver \"shooting\"");
+    if (settings.hemicube_resolution && settings.engine != Engine::hemicube &&
+        (settings.engine != Engine::automatic || settings.rays))
+        throw InputError("/solve/hemicube_resolution", "belongs to the form factors \"hemicube\"");
+    if (settings.rays && settings.engine == Engine::hemicube)
+        throw InputError("/solve/rays",
+                         "the form factors \"hemicube\" cast no rays; give `hemicube_resolution`");
+}
+
+std::string engine_reason(Engine asked, bool with_resolution) {
+    switch (asked) {
+        case Engine::automatic:
+            if (with_resolution) return "Hemicube form factors, for their resolution is given";
+            return "Analytic form factors, for they are exact where nothing blocks and rays are "
+                   "cast only where something may";
+        case Engine::analytic:
+            return "Analytic form factors as asked";
+        case Engine::ray_cast:
+            return "Ray-cast form factors as asked";
+        case Engine::hemicube:
+            return "Hemicube form factors as asked";
+    }
+    throw std::logic_error("engine without a case");
+}
+
+std::string method_reason(const Scene& scene, Method method) {
+    const std::string channels =
+        is_grey(scene) ? "; one channel, for the scene is grey; " : "; three channels at once; ";
+    return channels + (method == Method::shooting
+                           ? "shooting with rows on demand, the brightest patch first."
+                           : "Gauss–Seidel on the stored matrix.");
 }
 
 std::uint64_t machine_memory() {
@@ -49,39 +81,50 @@ std::uint64_t machine_memory() {
 
 SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
     refuse_unbuilt(settings);
+    refuse_idle(settings);
     SolvePlan plan{settings, ""};
     SolveSettings& s = plan.settings;
-    const bool chosen = s.engine == Engine::automatic;
-    if (chosen) s.engine = Engine::analytic;
-    s.method = Method::gauss_seidel;
+    plan.why = engine_reason(s.engine, s.hemicube_resolution.has_value());
+    if (s.engine == Engine::automatic)
+        s.engine = s.hemicube_resolution ? Engine::hemicube : Engine::analytic;
+    if (s.method == Method::automatic)
+        s.method = s.ambient.value_or(false) ? Method::shooting : Method::gauss_seidel;
+    const bool shoots = s.method == Method::shooting;
     if (!s.patch_size) s.patch_size = default_patch_size(scene);
-    if (!s.rays) s.rays = s.engine == Engine::analytic ? default_analytic_rays : default_cast_rays;
+    if (!s.rays && s.engine != Engine::hemicube)
+        s.rays = s.engine == Engine::analytic ? default_analytic_rays : default_cast_rays;
+    if (!s.hemicube_resolution && s.engine == Engine::hemicube)
+        s.hemicube_resolution = default_hemicube_resolution;
     if (!s.tolerance) s.tolerance = default_tolerance;
-    if (!s.max_iterations) s.max_iterations = default_iterations;
+    if (!s.max_iterations) s.max_iterations = shoots ? default_shots : default_iterations;
+    if (!s.ambient && shoots) s.ambient = true;
     if (!s.memory_limit) s.memory_limit = machine_memory();
     if (s.threads <= 0)
         s.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    plan.why = chosen ? "Analytic form factors, for they are exact where nothing blocks and rays "
-                        "are cast only where something may"
-               : s.engine == Engine::analytic ? "Analytic form factors as asked"
-                                              : "Ray-cast form factors as asked";
-    plan.why += is_grey(scene)
-                    ? "; one channel, for the scene is grey; Gauss–Seidel on the stored matrix."
-                    : "; three channels in one sweep of Gauss–Seidel over the stored matrix.";
+    plan.why += method_reason(scene, s.method);
     return plan;
 }
 
 std::uint64_t estimate_memory(const Scene& scene, std::size_t patches,
                               const SolveSettings& planned) {
     const double n = static_cast<double>(patches);
-    // Entries of a row: all patches but one's own plane, or as many as there are rays to hit them.
-    const double row =
-        planned.engine == Engine::ray_cast ? std::min(n, static_cast<double>(*planned.rays)) : n;
-    const double joined = 16.0 * n * row / (planned.engine == Engine::ray_cast ? 1.0 : 2.0);
-    const double joining = planned.engine == Engine::ray_cast ? 12.0 * n * row : 0.0;
-    const double matrix = std::min(4.0 * n * n, 8.0 * n * row);
+    const bool counted = planned.engine != Engine::analytic;  // full rows, then joined
+    // Entries of a row: all patches but one's own plane, or as many as there are samples.
+    const double samples = planned.engine == Engine::ray_cast ? *planned.rays
+                           : planned.engine == Engine::hemicube
+                               ? 3.0 * *planned.hemicube_resolution * *planned.hemicube_resolution
+                               : n;
+    const double row = std::min(n, samples);
     const double geometry = 2000.0 * n + 400.0 * static_cast<double>(scene.surfaces.size());
-    const double bytes = 3e7 + geometry + joined + std::max(joining, matrix);
+    double bytes = 3e7 + geometry;
+    if (planned.method == Method::shooting) {
+        bytes += std::min(static_cast<double>(kept_row_bytes), 8.0 * n * row) + 300.0 * row;
+    } else {
+        const double joined = 16.0 * n * row / (counted ? 1.0 : 2.0);
+        const double joining = counted ? 12.0 * n * row : 0.0;
+        const double matrix = std::min(4.0 * n * n, 8.0 * n * row);
+        bytes += joined + std::max(joining, matrix);
+    }
     return bytes < 1.8e19 ? static_cast<std::uint64_t>(bytes)
                           : std::numeric_limits<std::uint64_t>::max();
 }
@@ -103,10 +146,16 @@ CostEstimate estimate_cost(const Scene& scene, const SolveSettings& settings) {
     cost.memory = estimate_memory(scene, cost.patches, plan.settings);
     const double n = static_cast<double>(cost.patches);
     constexpr double seconds_per_pair = 2.5e-7, seconds_per_ray = 1.2e-7, seconds_per_entry = 3e-8;
-    const double rows = plan.settings.engine == Engine::analytic
-                            ? seconds_per_pair * n * n / 2.0
-                            : seconds_per_ray * n * *plan.settings.rays;
-    cost.seconds = (rows + seconds_per_entry * n * n) / plan.settings.threads;
+    constexpr double seconds_per_cell = 1.2e-7;  // sub-samples included
+    const SolveSettings& s = plan.settings;
+    const double rows =
+        s.engine == Engine::analytic ? seconds_per_pair * n * n / 2.0
+        : s.engine == Engine::ray_cast
+            ? seconds_per_ray * n * *s.rays
+            : seconds_per_cell * n * 3.0 * *s.hemicube_resolution * *s.hemicube_resolution;
+    constexpr double shots_per_patch = 4.0;  // to the default tolerance, where most is white
+    const double times = s.method == Method::shooting ? shots_per_patch : 1.0;
+    cost.seconds = (times * rows + seconds_per_entry * n * n) / s.threads;
     return cost;
 }
 

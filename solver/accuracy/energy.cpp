@@ -5,23 +5,33 @@
 
 namespace patchlight {
 
-EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
-                            const ExchangeMatrix& exchange, const std::vector<Rgb>& radiosity,
-                            const std::vector<Rgb>& irradiance) {
+EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh, const Rgb& backs,
+                            const Rgb& escaped, const std::vector<Rgb>& irradiance) {
     EnergyReport energy;
+    energy.backs = backs;
+    energy.escaped = escaped;
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         const Patch& patch = mesh.patches[i];
         const Material& material = scene.materials[scene.surfaces[patch.surface].material];
         energy.emitted += patch.area * material.exitance;
         energy.absorbed += patch.area * (1.0 - material.reflectance) * irradiance[i];
-        energy.backs += patch.area * exchange.backs[i] * radiosity[i];
-        energy.escaped += patch.area * exchange.escaped[i] * radiosity[i];
     }
     const Rgb lost = (energy.emitted - energy.absorbed - energy.backs - energy.escaped).abs();
     for (int c = 0; c < 3; ++c)
         if (energy.emitted[c] > 0.0)
             energy.defect = std::max(energy.defect, lost[c] / energy.emitted[c]);
     return energy;
+}
+
+EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
+                            const ExchangeMatrix& exchange, const std::vector<Rgb>& radiosity,
+                            const std::vector<Rgb>& irradiance) {
+    Rgb backs = Rgb::Zero(), escaped = Rgb::Zero();
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        backs += mesh.patches[i].area * exchange.backs[i] * radiosity[i];
+        escaped += mesh.patches[i].area * exchange.escaped[i] * radiosity[i];
+    }
+    return measure_energy(scene, mesh, backs, escaped, irradiance);
 }
 
 std::vector<ObjectReport> measure_objects(const Scene& scene, const Solution& solution) {

@@ -7,8 +7,12 @@
 
 namespace patchlight {
 
-/// Where the light went: emitted Σ A E, absorbed Σ A (1 − ρ) H, on backs and out of the scene
-/// Σ A B times the shares the matrix states.
+/// Where the light went: emitted Σ A E, absorbed Σ A (1 − ρ) H; what went to backs and out of the
+/// scene is given [W].
+EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh, const Rgb& backs,
+                            const Rgb& escaped, const std::vector<Rgb>& irradiance);
+
+/// The same with Σ A B times the shares of backs and escapes that the matrix states.
 EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
                             const ExchangeMatrix& exchange, const std::vector<Rgb>& radiosity,
                             const std::vector<Rgb>& irradiance);

@@ -23,7 +23,7 @@ AnalyticEngine::AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const 
       exchange_(scene, mesh),
       blockers_(scene, mesh),
       outside_rays_(scene, mesh, ray_scene, settings.outside_rays, mix(settings.seed, 0x6f7574)),
-      visibility_(outside_rays_, ray_scene, most_samples, mix(settings.seed, 0x766973)) {}
+      visibility_(outside_rays_.rays(), ray_scene, most_samples, mix(settings.seed, 0x766973)) {}
 
 std::vector<VisibilityQuery> AnalyticEngine::first_queries(const FactorRow& row,
                                                            PatchIndex i) const {
@@ -64,11 +64,17 @@ void AnalyticEngine::refine(std::vector<VisibilityQuery>& queries) const {
     for (std::size_t m = 0; m < more.size(); ++m) queries[places[m]] = more[m];
 }
 
-void AnalyticEngine::row(PatchIndex i, FactorRow& row) const {
+void AnalyticEngine::row(PatchIndex i, FactorRow& row) const { fill(i, i + 1, row); }
+
+void AnalyticEngine::whole_row(PatchIndex i, FactorRow& whole) const { fill(i, 0, whole); }
+
+/// The columns from `first` on.
+void AnalyticEngine::fill(PatchIndex i, PatchIndex first, FactorRow& row) const {
     row.clear();
     const double area = mesh_.patches[i].area;
-    for (PatchIndex j = i + 1; j < mesh_.size(); ++j) {
-        const double exchange = exchange_(i, j);
+    for (PatchIndex j = first; j < mesh_.size(); ++j) {
+        // One value for both ends, to the last bit.
+        const double exchange = exchange_(std::min(i, j), std::max(i, j));
         if (exchange > 0.0) row.add(j, exchange / area, 0.0, exchange / area);
     }
     std::vector<VisibilityQuery> queries = first_queries(row, i);
@@ -97,21 +103,6 @@ void AnalyticEngine::row(PatchIndex i, FactorRow& row) const {
     row.ceiling.resize(kept);
 }
 
-Outside AnalyticEngine::outside(PatchIndex i) const {
-    if (mesh_.patches[i].covered) return {1.0, 0.0, 0};
-    RayBatch batch;
-    LandingBatch landings;
-    int backs = 0, escaped = 0;
-    for (int first = 0; first < outside_rays_.count(); first += ray_batch) {
-        const int count = outside_rays_.fill(i, first, batch);
-        ray_scene_.land(batch, count, landings);
-        for (int k = 0; k < count; ++k) {
-            backs += landings.landing[k] == Landing::back;
-            escaped += landings.landing[k] == Landing::escaped;
-        }
-    }
-    const double n = outside_rays_.count();
-    return {backs / n, escaped / n, static_cast<std::uint64_t>(outside_rays_.count())};
-}
+Outside AnalyticEngine::outside(PatchIndex i) const { return outside_rays_.at(i); }
 
 }  // namespace patchlight

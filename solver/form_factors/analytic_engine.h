@@ -2,6 +2,7 @@
 
 #include "solver/form_factors/blocker_table.h"
 #include "solver/form_factors/form_factor_engine.h"
+#include "solver/form_factors/outside_rays.h"
 #include "solver/form_factors/pair_visibility.h"
 #include "solver/form_factors/unoccluded_exchange.h"
 
@@ -24,9 +25,11 @@ class AnalyticEngine final : public FormFactorEngine {
 
     bool pairwise() const override { return true; }
     void row(PatchIndex i, FactorRow& row) const override;
+    void whole_row(PatchIndex i, FactorRow& whole) const override;
     Outside outside(PatchIndex i) const override;
 
   private:
+    void fill(PatchIndex i, PatchIndex first, FactorRow& row) const;
     std::vector<VisibilityQuery> first_queries(const FactorRow& row, PatchIndex i) const;
     void refine(std::vector<VisibilityQuery>& queries) const;
 
@@ -35,7 +38,7 @@ class AnalyticEngine final : public FormFactorEngine {
     AnalyticSettings settings_;
     UnoccludedExchange exchange_;
     BlockerTable blockers_;
-    HemisphereRays outside_rays_;
+    OutsideRays outside_rays_;
     PairVisibility visibility_;
 };
 

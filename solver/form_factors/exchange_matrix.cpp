@@ -51,7 +51,8 @@ std::vector<bool> uncertain_rows(const ExchangeMatrix& matrix) {
 }
 
 bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
-                std::vector<std::optional<Outside>>& outside, const FractionObserver& observe) {
+                std::vector<std::optional<Outside>>& outside, std::vector<int>& samples,
+                const FractionObserver& observe) {
     const std::size_t n = matrix.size();
     std::vector<FactorRow> rows(most_rows);
     std::size_t count = 1;
@@ -69,6 +70,7 @@ bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
         for (std::size_t k = 0; k < count; ++k) {
             append(matrix, static_cast<PatchIndex>(first + k), rows[k]);
             outside[first + k] = rows[k].outside;
+            samples[first + k] = rows[k].samples;
         }
         const double done = static_cast<double>(first + count) / static_cast<double>(n);
         if (!observe(engine.pairwise() ? 1.0 - (1.0 - done) * (1.0 - done) : done)) {
@@ -90,10 +92,11 @@ ExchangeMatrix build_exchange(const FormFactorEngine& engine, const Scene& scene
     for (const Patch& patch : mesh.patches) matrix.area.push_back(patch.area / matrix.unit);
     matrix.start.push_back(0);
     std::vector<std::optional<Outside>> known(mesh.size());
-    if (!build_rows(engine, matrix, known, observe)) return matrix;
+    std::vector<int> samples(mesh.size(), 1);
+    if (!build_rows(engine, matrix, known, samples, observe)) return matrix;
     if (!engine.pairwise()) {
         matrix.measured = measure_rows(matrix, known);
-        join_halves(matrix);
+        join_halves(matrix, samples);
     }
     std::vector<Outside> outside(mesh.size());
     const std::vector<double> sums = row_sums(matrix);

@@ -24,6 +24,7 @@ struct FactorRow {
     std::vector<double> ceiling;     // F_ij with nothing between, or the most it can be [1]
     std::optional<Outside> outside;  // if it came with the row
     std::uint64_t rays = 0;          // cast for this row
+    int samples = 1;  // how much the row counts beside the other end's: both equal, or their ratio
 
     void clear() {
         columns.clear();
@@ -32,6 +33,7 @@ struct FactorRow {
         ceiling.clear();
         outside.reset();
         rays = 0;
+        samples = 1;
     }
     void add(PatchIndex j, double factor, double factor_variance, double most) {
         columns.push_back(j);
@@ -53,6 +55,10 @@ class FormFactorEngine {
 
     /// Row i. Throws nothing; a covered patch has an empty row.
     virtual void row(PatchIndex i, FactorRow& row) const = 0;
+
+    /// Row i with all its columns, for who wants no matrix. Of a pairwise engine, entries that rays
+    /// measured may differ a little from what the other end's row says.
+    virtual void whole_row(PatchIndex i, FactorRow& whole) const { row(i, whole); }
 
     /// Where the light of patch i that meets no front goes; asked for where a row does not say.
     virtual Outside outside(PatchIndex i) const = 0;

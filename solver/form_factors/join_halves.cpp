@@ -78,25 +78,23 @@ ClosureReport measure_rows(const ExchangeMatrix& matrix,
     return report;
 }
 
-void join_halves(ExchangeMatrix& matrix) {
+void join_halves(ExchangeMatrix& matrix, const std::vector<int>& samples) {
     const Columns columns(matrix);
     ExchangeMatrix joined;
     joined.start.push_back(0);
     for (PatchIndex i = 0; i < matrix.size(); ++i) {
         for_each_pair(matrix, columns, i, [&](PatchIndex j, std::size_t here, std::size_t there) {
             if (j <= i) return;
-            const auto pooled = [&](const std::vector<float>& quantity, int power) {
-                const double a = here == none ? 0.0
-                                              : static_cast<double>(quantity[here]) /
-                                                    std::pow(matrix.area[i], power);
-                const double b = there == none ? 0.0
-                                               : static_cast<double>(quantity[there]) /
-                                                     std::pow(matrix.area[j], power);
-                return (a + b) / std::pow(1.0 / matrix.area[i] + 1.0 / matrix.area[j], power);
+            const double mine = samples[i] / matrix.area[i], other = samples[j] / matrix.area[j];
+            const auto pooled = [&](const std::vector<float>& quantity, double w, double v) {
+                const double a = here == none ? 0.0 : w * static_cast<double>(quantity[here]);
+                const double b = there == none ? 0.0 : v * static_cast<double>(quantity[there]);
+                return a + b;
             };
+            const double w = mine / (mine + other), v = other / (mine + other);
             joined.column.push_back(j);
-            joined.exchange.push_back(static_cast<float>(pooled(matrix.exchange, 1)));
-            joined.variance.push_back(static_cast<float>(pooled(matrix.variance, 2)));
+            joined.exchange.push_back(static_cast<float>(pooled(matrix.exchange, w, v)));
+            joined.variance.push_back(static_cast<float>(pooled(matrix.variance, w * w, v * v)));
             joined.ceiling.push_back(static_cast<float>(std::min(matrix.area[i], matrix.area[j])));
         });
         joined.start.push_back(joined.column.size());

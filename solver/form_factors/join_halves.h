@@ -10,9 +10,9 @@ namespace patchlight {
 ClosureReport measure_rows(const ExchangeMatrix& full_rows,
                            const std::vector<std::optional<Outside>>& outside);
 
-/// Joins full rows into the upper triangle. Both ends of a pair cast equally many rays, so the hits
-/// of both are pooled: H = (F_ij + F_ji) / (1/A_i + 1/A_j), the most likely value and, for equal
-/// areas, of half the variance.
-void join_halves(ExchangeMatrix& matrix);
+/// Joins full rows into the upper triangle. The samples n of both ends of a pair are pooled: H =
+/// (n_i F_ij + n_j F_ji) / (n_i/A_i + n_j/A_j), the most likely value and, for equal areas and
+/// samples, of half the variance. `samples`: of each row, up to a common factor.
+void join_halves(ExchangeMatrix& matrix, const std::vector<int>& samples);
 
 }  // namespace patchlight

@@ -40,6 +40,7 @@ class RayScene {
     RayScene& operator=(const RayScene&) = delete;
 
     RayPoint to_ray_space(const Vec3& p) const { return ((p - centre_) * scale_).cast<float>(); }
+    Vec3 from_ray_space(const Vec3& p) const { return p / scale_ + centre_; }
     double scale() const { return scale_; }  // ray space per metre [1/m]
 
     /// How far above surface s a ray must start, so as to leave behind what touches it there:

@@ -9,22 +9,46 @@ namespace {
 constexpr double closure =
     1e-5;  // relative: float factors (6e-8) amplified by 1/(1 − ρ), and the solver's 1e-8
 
+constexpr int rays_per_patch = 1024;
+/// Shooting spreads light by rows of one end of each pair, as they come: nothing is lost, but a
+/// patch gets as much as happens to hit it. Root mean square over patches, relative: independent
+/// rays would scatter by 1 / sqrt(1024) = 0.031; hemicubes of 32 x 32 cells by less.
+constexpr double counted_scatter = 0.035;
+/// Analytic rows scatter only where something blocks.
+constexpr double blocked_scatter = 0.01;
+
+double scatter_of(const Way& way, bool blocked) {
+    if (way.method != Method::shooting) return closure;
+    if (way.engine == Engine::analytic) return blocked ? blocked_scatter : closure;
+    return counted_scatter;
+}
+
 /// Where all surfaces reflect ρ and give off E, B = E / (1 − ρ) on every patch that is not walled
 /// in.
-void expect_furnace(const Scene& scene, const Way& way, double reflectance, double exitance) {
+void expect_furnace(const Scene& scene, const Way& way, double reflectance, double exitance,
+                    bool blocked = true) {
     SolveSettings settings = settings_of(way);
     settings.patch_size = 0.2;
-    settings.rays = 1024;
+    set_rays(settings, rays_per_patch);
     const Solution solution = solve(scene, settings);
     ASSERT_TRUE(solution.within_tolerance);
     const double exact = exitance / (1.0 - reflectance);
+    const double scatter = reflectance > 0.0 ? scatter_of(way, blocked) : closure;
+    double area = 0.0, power = 0.0, squared = 0.0;
     std::size_t seen = 0;
     for (PatchIndex i = 0; i < solution.mesh.size(); ++i) {
-        if (solution.irradiance[i][0] == 0.0) continue;  // under an obstacle: it sees backs alone
+        // Under an obstacle a patch sees backs alone.
+        if (solution.irradiance[i][0] < 0.5 * exact) continue;
         ++seen;
-        ASSERT_NEAR(solution.radiosity[i][0], exact, closure * exact) << "patch " << i;
+        const double a = solution.mesh.patches[i].area, b = solution.radiosity[i][0];
+        area += a;
+        power += a * b;
+        squared += a * std::pow(b / exact - 1.0, 2);
+        if (scatter == closure) ASSERT_NEAR(b, exact, closure * exact) << "patch " << i;
     }
     EXPECT_GT(seen, solution.mesh.size() * 9 / 10);
+    EXPECT_LT(std::sqrt(squared / area), scatter);
+    EXPECT_NEAR(power / area, exact, std::max(closure, 0.01 * scatter) * exact);
     EXPECT_LT(solution.energy.defect, 1e-4);
     EXPECT_LT(solution.form_factors.repaired.closure_max, 1e-6);
 }
@@ -45,7 +69,7 @@ TEST_P(Furnace, ReachesExitanceOverAbsorptance) {
     for (const double reflectance : {0.0, 0.1, 0.5, 0.9, 0.99}) {
         SceneBuilder builder;
         builder.box("room", builder.material(reflectance, 1.0), {0, 0, 0}, {1, 1, 1}, true);
-        expect_furnace(builder.scene, GetParam(), reflectance, 1.0);
+        expect_furnace(builder.scene, GetParam(), reflectance, 1.0, false);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -43,12 +44,30 @@ void SceneBuilder::sensor(const Vec3& position, const Vec3& normal) {
 }
 
 std::vector<Way> every_way() {
-    return {{Engine::analytic, Method::gauss_seidel}, {Engine::ray_cast, Method::gauss_seidel}};
+    std::vector<Way> ways;
+    for (const Engine engine : {Engine::analytic, Engine::ray_cast, Engine::hemicube})
+        for (const Method method : {Method::gauss_seidel, Method::shooting})
+            ways.push_back({engine, method});
+    return ways;
+}
+
+std::string name_of(Engine engine) {
+    switch (engine) {
+        case Engine::analytic:
+            return "Analytic";
+        case Engine::ray_cast:
+            return "RayCast";
+        case Engine::hemicube:
+            return "Hemicube";
+        case Engine::automatic:
+            break;
+    }
+    return "Automatic";
 }
 
 std::string way_name(const testing::TestParamInfo<Way>& info) {
-    const std::string engine = info.param.engine == Engine::analytic ? "Analytic" : "RayCast";
-    return engine + "GaussSeidel";
+    return name_of(info.param.engine) +
+           (info.param.method == Method::shooting ? "Shooting" : "GaussSeidel");
 }
 
 SolveSettings settings_of(const Way& way) {
@@ -57,6 +76,13 @@ SolveSettings settings_of(const Way& way) {
     settings.method = way.method;
     settings.tolerance = 1e-8;
     return settings;
+}
+
+void set_rays(SolveSettings& settings, int rays) {
+    if (settings.engine == Engine::hemicube)
+        settings.hemicube_resolution = static_cast<int>(std::lround(std::sqrt(rays)));
+    else
+        settings.rays = rays;
 }
 
 Solution solve(const Scene& scene, const SolveSettings& settings) {

@@ -33,8 +33,11 @@ struct Way {
     Method method = Method::gauss_seidel;
 };
 std::vector<Way> every_way();
+std::string name_of(Engine engine);
 std::string way_name(const testing::TestParamInfo<Way>& info);
 SolveSettings settings_of(const Way& way);
+/// So many rays per patch, or hemicubes with as many cells in their top face.
+void set_rays(SolveSettings& settings, int rays);
 
 class EveryEngineAndMethod : public testing::TestWithParam<Way> {};
 

@@ -157,7 +157,6 @@ TEST(CommandLine, WhatIsNotBuiltYetIsRefused) {
     const std::string solve = "solve " + box_file() + " ";
     for (const char* option :
          {"--false-colour", "--sensors a.csv", "--patches a.csv", "--mesh a.glb", "--accuracy 0.01",
-          "--hemicube-resolution 64", "--form-factors hemicube", "--solver shooting",
           "--solver hierarchical"})
         expect_refused(solve + option, "is not built yet; ");
     for (const char* command : {"form-factors box.json", "chart box.json --output x", "selftest",

@@ -45,13 +45,8 @@ TEST(SolveJson, ThePatchSizeIsInTheUnitOfTheScene) {
 }
 
 TEST(SolveJson, WhatIsNotBuiltYetIsRefused) {
-    expect_setting_rejected("form_factors", "\"hemicube\"",
-                            "`hemicube` is not built yet; use `analytic` or `ray-cast`");
-    expect_setting_rejected("solver", "\"shooting\"", "not built yet; use `gauss-seidel`");
     expect_setting_rejected("solver", "\"hierarchical\"", "not built yet");
     expect_setting_rejected("accuracy", "0.01", "not built yet");
-    expect_setting_rejected("ambient", "true", "not built yet");
-    expect_setting_rejected("hemicube_resolution", "256", "not built yet");
 }
 
 TEST(SolveJson, WrongSettingsAreRefused) {
@@ -64,6 +59,8 @@ TEST(SolveJson, WrongSettingsAreRefused) {
     expect_setting_rejected("rays", "0", "from 1 to 16777216, not 0");
     expect_setting_rejected("rays", "10000000000");
     expect_setting_rejected("rays", "1.5", "whole number");
+    expect_setting_rejected("hemicube_resolution", "1", "from 2 to 4096, not 1");
+    expect_setting_rejected("ambient", "1");
     expect_setting_rejected("tolerance", "0");
     expect_setting_rejected("tolerance", "1", "below 1");
     expect_setting_rejected("max_iterations", "0");

@@ -24,15 +24,38 @@ std::string refused_at(const std::function<void(SolveSettings&)>& change) {
 }
 
 TEST(PlanSolve, RefusesWhatIsNotBuiltWithThePointer) {
-    EXPECT_EQ(refused_at([](SolveSettings& s) { s.method = Method::shooting; }), "/solve/solver");
     EXPECT_EQ(refused_at([](SolveSettings& s) { s.method = Method::hierarchical; }),
               "/solve/solver");
-    EXPECT_EQ(refused_at([](SolveSettings& s) { s.engine = Engine::hemicube; }),
-              "/solve/form_factors");
     EXPECT_EQ(refused_at([](SolveSettings& s) { s.accuracy = 0.01; }), "/solve/accuracy");
-    EXPECT_EQ(refused_at([](SolveSettings& s) { s.ambient = true; }), "/solve/ambient");
-    EXPECT_EQ(refused_at([](SolveSettings& s) { s.hemicube_resolution = 256; }),
+}
+
+TEST(PlanSolve, RefusesSettingsThatWouldDoNothing) {
+    EXPECT_EQ(refused_at([](SolveSettings& s) {
+                  s.ambient = true;
+                  s.method = Method::gauss_seidel;
+              }),
+              "/solve/ambient");
+    EXPECT_EQ(refused_at([](SolveSettings& s) {
+                  s.hemicube_resolution = 256;
+                  s.engine = Engine::analytic;
+              }),
               "/solve/hemicube_resolution");
+    EXPECT_EQ(refused_at([](SolveSettings& s) {
+                  s.rays = 256;
+                  s.engine = Engine::hemicube;
+              }),
+              "/solve/rays");
+}
+
+TEST(PlanSolve, ChoosesWhatASettingBelongsTo) {
+    SolveSettings given;
+    given.hemicube_resolution = 256;
+    given.ambient = true;
+    const SolveSettings planned = plan_solve(room(), given).settings;
+    EXPECT_EQ(planned.engine, Engine::hemicube);
+    EXPECT_EQ(planned.hemicube_resolution, 256);
+    EXPECT_FALSE(planned.rays);
+    EXPECT_EQ(planned.method, Method::shooting);
 }
 
 TEST(PlanSolve, MakesEveryChoice) {
@@ -110,6 +133,16 @@ TEST(EstimateMemory, GrowsWithThePatchesAndDoesNotOverflow) {
         before = estimate_memory(room(), patches, planned);
     }
     EXPECT_GT(before, std::uint64_t{1} << 62);
+}
+
+TEST(EstimateMemory, OfShootingStaysFarBelowTheMatrix) {
+    SolveSettings settings;
+    const SolveSettings matrix = plan_solve(room(), settings).settings;
+    settings.method = Method::shooting;
+    const SolveSettings shooting = plan_solve(room(), settings).settings;
+    EXPECT_LT(estimate_memory(room(), 20000, shooting), 200'000'000u);
+    EXPECT_GT(estimate_memory(room(), 20000, matrix),
+              20 * estimate_memory(room(), 20000, shooting));
 }
 
 TEST(EstimateCost, KnowsThePatchesBeforeTheyAreMade) {

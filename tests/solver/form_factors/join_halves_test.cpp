@@ -23,7 +23,7 @@ ExchangeMatrix counted() {
 
 TEST(JoinHalves, PoolsTheHitsOfBothEnds) {
     ExchangeMatrix matrix = counted();
-    join_halves(matrix);
+    join_halves(matrix, std::vector<int>(matrix.size(), 1));
     ASSERT_EQ(matrix.column, (std::vector<PatchIndex>{1, 2, 2}));
     EXPECT_EQ(matrix.start, (std::vector<std::size_t>{0, 2, 3, 3}));
     // H = (F_ij + F_ji) / (1/A_i + 1/A_j)
@@ -34,14 +34,14 @@ TEST(JoinHalves, PoolsTheHitsOfBothEnds) {
 
 TEST(JoinHalves, PoolsTheirVariances) {
     ExchangeMatrix matrix = counted();
-    join_halves(matrix);
+    join_halves(matrix, std::vector<int>(matrix.size(), 1));
     EXPECT_NEAR(matrix.variance[0], 0.04 / (1.5 * 1.5), rounding);
     EXPECT_NEAR(matrix.variance[1], 0.02 / (1.25 * 1.25), rounding);
 }
 
 TEST(JoinHalves, NoPairExchangesMoreThanTheSmallerArea) {
     ExchangeMatrix matrix = counted();
-    join_halves(matrix);
+    join_halves(matrix, std::vector<int>(matrix.size(), 1));
     EXPECT_EQ(matrix.ceiling, (std::vector<float>{1.0f, 1.0f, 2.0f}));
 }
 
@@ -50,9 +50,19 @@ TEST(JoinHalves, OfEqualAreasIsTheMeanWithHalfTheVariance) {
     add_entry(matrix, 0, 1, 0.30, 0.01);
     add_entry(matrix, 1, 0, 0.20, 0.01);
     finish(matrix);
-    join_halves(matrix);
+    join_halves(matrix, std::vector<int>(matrix.size(), 1));
     EXPECT_NEAR(entry(matrix, 0, 1), 0.25, rounding);
     EXPECT_NEAR(matrix.variance[0], 0.005, rounding);
+}
+
+TEST(JoinHalves, ARowOfMoreSamplesCountsMore) {
+    ExchangeMatrix matrix = empty_matrix({1.0, 1.0});
+    add_entry(matrix, 0, 1, 0.30, 0.01);
+    add_entry(matrix, 1, 0, 0.20, 0.04);
+    finish(matrix);
+    join_halves(matrix, {4, 1});
+    EXPECT_NEAR(entry(matrix, 0, 1), 0.28, rounding);
+    EXPECT_NEAR(matrix.variance[0], (16 * 0.01 + 0.04) / 25, rounding);
 }
 
 TEST(MeasureRows, TellsTheDefectsOfTheRowsAsCounted) {

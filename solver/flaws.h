@@ -1,0 +1,13 @@
+#pragma once
+
+#include "solver/scene/coplanar.h"
+#include "solver/scene/scene.h"
+
+#include <vector>
+
+namespace patchlight {
+
+/// What the author of the scene should know, before anything is solved.
+std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps);
+
+}  // namespace patchlight

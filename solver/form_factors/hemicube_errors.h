@@ -1,0 +1,16 @@
+#pragma once
+
+#include "solver/form_factors/hemicube_engine.h"
+#include "solver/solution.h"
+
+namespace patchlight {
+
+/// Takes the error of hemicubes apart on a sample of patches. Aliasing: two hemicubes turned
+/// otherwise, half the mean square of their difference. Proximity: exact factors of the parts'
+/// centres against exact factors of the whole patch, nothing between, as far as the target is seen.
+/// Visibility: what is left of the distance to analytic factors with visibility by rays.
+HemicubeErrors estimate_hemicube_errors(const Scene& scene, const PatchMesh& mesh,
+                                        const RayScene& ray_scene,
+                                        const HemicubeSettings& settings);
+
+}  // namespace patchlight

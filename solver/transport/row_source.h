@@ -1,0 +1,47 @@
+#pragma once
+
+#include "solver/form_factors/form_factor_engine.h"
+#include "solver/solution.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace patchlight {
+
+/// A row that obeys closure, as a solver without a matrix uses it.
+struct ClosedRow {
+    std::vector<PatchIndex> columns;
+    std::vector<float> factors;  // F_ij [1]
+    Outside outside;
+};
+
+/// Rows on demand. Those asked for first, the brightest, are kept as long as they fit in `bytes`;
+/// others are computed anew each time.
+class RowSource {
+  public:
+    RowSource(const FormFactorEngine& engine, std::size_t patches, std::size_t bytes);
+
+    /// Rows of the given patches, computed in parallel; good until the next call.
+    std::vector<const ClosedRow*> fetch(std::span<const PatchIndex> patches);
+
+    std::uint64_t rays() const { return rays_; }
+    std::size_t computed() const { return computed_; }  // rows, repeated ones counted again
+    std::size_t bytes() const { return kept_bytes_; }   // held at present
+    /// Defects of all rows seen so far, before they were closed; their mean is not area-weighted.
+    ClosureReport closure() const;
+
+  private:
+    void note(PatchIndex i, double sum, double defect);
+
+    const FormFactorEngine& engine_;
+    std::size_t budget_, kept_bytes_ = 0, computed_ = 0, seen_count_ = 0;
+    std::uint64_t rays_ = 0;
+    std::vector<std::unique_ptr<ClosedRow>> kept_;  // per patch; empty if not kept
+    std::vector<ClosedRow> passing_;                // of the last call
+    std::vector<bool> seen_;
+    ClosureReport report_;
+    double sum_of_sums_ = 0.0;
+};
+
+}  // namespace patchlight

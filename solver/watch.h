@@ -1,0 +1,42 @@
+#pragma once
+
+#include "solver/settings.h"
+#include "solver/transport/stop_rule.h"
+
+#include <chrono>
+#include <optional>
+
+namespace patchlight {
+
+/// Passes progress on, and tells when the work must stop and why.
+class Watch {
+  public:
+    Watch(const Observer& observe, std::optional<double> time_limit)
+        : observe_(observe), time_limit_(time_limit) {}
+
+    /// Seconds since the last lap.
+    double lap() {
+        const auto now = Clock::now();
+        const double seconds = std::chrono::duration<double>(now - lap_).count();
+        lap_ = now;
+        return seconds;
+    }
+    /// `tolerance`: go on.
+    StopReason step(const Progress& progress) {
+        if (observe_ && observe_(progress) == Verdict::stop) return StopReason::cancelled;
+        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+        if (time_limit_ && seconds > *time_limit_) return StopReason::time_limit;
+        return StopReason::tolerance;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    const Observer& observe_;
+    std::optional<double> time_limit_;
+    Clock::time_point start_ = Clock::now(), lap_ = start_;
+};
+
+/// What a solution says of why its work ended. Throws std::logic_error for no reason at all.
+Status status_of(StopReason reason);
+
+}  // namespace patchlight
