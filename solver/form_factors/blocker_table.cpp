@@ -35,22 +35,41 @@ bool apart(const Interval& hull_a, const Interval& hull_b, const Interval& block
            blocker.high < std::min(hull_a.low, hull_b.low) + slack;
 }
 
+/// What may stand in the way: coplanar surfaces as one, up to their convex hull.
+struct Sheet {
+    Vec3 normal;
+    Interval level;  // along the normal: not quite flat
+    std::vector<Vec3> hull;
+};
+
+std::vector<Sheet> make_sheets(const Scene& scene, const PlaneGroups& groups) {
+    std::vector<Sheet> sheets;
+    for (const std::vector<SurfaceIndex>& members : groups.members) {
+        const Surface& first = scene.surfaces[members[0]];
+        std::vector<Vec3> corners;
+        for (const SurfaceIndex s : members)
+            corners.insert(corners.end(), scene.surfaces[s].corners.begin(),
+                           scene.surfaces[s].corners.end());
+        sheets.push_back({first.normal, along(corners, first.normal),
+                          members.size() == 1
+                              ? corners
+                              : convex_hull(corners, frame_of(first.corners[0], first.normal))});
+    }
+    return sheets;
+}
+
 struct Tester {
-    const Scene& scene;
     double slack;
 
-    bool can_block(const Surface& blocker, std::span<const Vec3> a, const Surface& plane_a,
-                   std::span<const Vec3> b, const Surface& plane_b) const {
-        const double level = blocker.corners[0].dot(blocker.normal);
+    bool can_block(const Sheet& blocker, std::span<const Vec3> a, const Sheet& plane_a,
+                   std::span<const Vec3> b, const Sheet& plane_b) const {
         const Interval side_a = along(a, blocker.normal), side_b = along(b, blocker.normal);
-        if (std::max(side_a.high, side_b.high) <= level + slack ||
-            std::min(side_a.low, side_b.low) >= level - slack)
+        if (std::max(side_a.high, side_b.high) <= blocker.level.low + slack ||
+            std::min(side_a.low, side_b.low) >= blocker.level.high - slack)
             return false;
-        const std::span<const Vec3> corners(blocker.corners);
-        if (along(corners, plane_a.normal).high <= plane_a.corners[0].dot(plane_a.normal) + slack)
-            return false;
-        if (along(corners, plane_b.normal).high <= plane_b.corners[0].dot(plane_b.normal) + slack)
-            return false;
+        const std::span<const Vec3> corners(blocker.hull);
+        if (along(corners, plane_a.normal).high <= plane_a.level.low + slack) return false;
+        if (along(corners, plane_b.normal).high <= plane_b.level.low + slack) return false;
         for (int axis = 0; axis < 3; ++axis) {
             const Vec3 unit = Vec3::Unit(axis);
             if (apart(along(a, unit), along(b, unit), along(corners, unit), slack)) return false;
@@ -80,37 +99,38 @@ struct Tester {
 }  // namespace
 
 BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh) {
-    const PatchClusters clusters = make_clusters(scene, mesh);
+    const PlaneGroups groups = find_plane_groups(scene);
+    const PatchClusters clusters = make_clusters(scene, mesh, groups);
     cluster_ = clusters.of_patch;
-    const std::size_t n = clusters.surface.size(), surfaces = scene.surfaces.size();
-    const double pairs = static_cast<double>(surfaces) * static_cast<double>(surfaces);
-    if (pairs * static_cast<double>(surfaces) > most_work ||
+    const std::size_t n = clusters.size(), planes = groups.size();
+    const double pairs = static_cast<double>(planes) * static_cast<double>(planes);
+    if (pairs * static_cast<double>(planes) > most_work ||
         static_cast<double>(n) * static_cast<double>(n) * 4.0 > most_work) {
         always_ = true;
         return;
     }
-    const Tester tester{scene, in_plane * scene_size(scene)};
-    // Blockers of surface pairs first: cluster pairs look at those alone.
-    std::vector<std::vector<SurfaceIndex>> blockers(surfaces * surfaces);
-    tbb::parallel_for(std::size_t{0}, surfaces, [&](std::size_t s) {
-        for (std::size_t t = s + 1; t < surfaces; ++t)
-            for (SurfaceIndex k = 0; k < surfaces; ++k) {
-                const Surface &a = scene.surfaces[s], &b = scene.surfaces[t];
+    const Tester tester{in_plane * scene_size(scene)};
+    const std::vector<Sheet> sheets = make_sheets(scene, groups);
+    // Blockers of pairs of planes first: pairs of clusters look at those alone.
+    std::vector<std::vector<std::uint32_t>> blockers(planes * planes);
+    tbb::parallel_for(std::size_t{0}, planes, [&](std::size_t s) {
+        for (std::size_t t = s + 1; t < planes; ++t)
+            for (std::uint32_t k = 0; k < planes; ++k)
                 if (k != s && k != t &&
-                    tester.can_block(scene.surfaces[k], a.corners, a, b.corners, b))
-                    blockers[s * surfaces + t].push_back(k);
-            }
+                    tester.can_block(sheets[k], sheets[s].hull, sheets[s], sheets[t].hull,
+                                     sheets[t]))
+                    blockers[s * planes + t].push_back(k);
     });
     words_ = (n + 63) / 64;
     bits_.assign(n * words_, 0);
     tbb::parallel_for(std::size_t{0}, n, [&](std::size_t c) {
         for (std::size_t d = 0; d < n; ++d) {
             const auto [first, second] = std::minmax(c, d);
-            const SurfaceIndex s = clusters.surface[first], t = clusters.surface[second];
+            const std::uint32_t s = clusters.group[first], t = clusters.group[second];
             if (s == t) continue;
-            for (const SurfaceIndex k : blockers[s * surfaces + t])
-                if (tester.can_block(scene.surfaces[k], clusters.points(first), scene.surfaces[s],
-                                     clusters.points(second), scene.surfaces[t])) {
+            for (const std::uint32_t k : blockers[s * planes + t])
+                if (tester.can_block(sheets[k], clusters.points(first), sheets[s],
+                                     clusters.points(second), sheets[t])) {
                     bits_[c * words_ + d / 64] |= std::uint64_t{1} << (d % 64);
                     break;
                 }

@@ -8,9 +8,9 @@
 namespace patchlight {
 
 /// Tells which pairs of patches nothing can stand between, without a ray. Patches are grouped into
-/// small clusters of one surface; for two clusters a surface may block unless both lie on one side
-/// of its plane, or it lies behind either of theirs, or a plane parts it from their convex hull.
-/// Conservative: "may block" can be wrong, "cannot" never is.
+/// small clusters of one plane; for two clusters the surfaces of a plane may block unless both lie
+/// on one side of it, or they lie behind either's, or a plane parts them from the clusters' convex
+/// hull. Conservative: "may block" can be wrong, "cannot" never is.
 class BlockerTable {
   public:
     BlockerTable(const Scene& scene, const PatchMesh& mesh);

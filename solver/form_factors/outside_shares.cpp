@@ -18,7 +18,7 @@ std::vector<Prior> cluster_priors(const std::vector<double>& shares,
     struct Sums {
         double patches = 0.0, shares = 0.0, squares = 0.0, rays = 0.0;
     };
-    std::vector<Sums> sums(clusters.surface.size());
+    std::vector<Sums> sums(clusters.size());
     for (std::size_t i = 0; i < shares.size(); ++i) {
         if (outside[i].rays == 0) continue;
         Sums& s = sums[clusters.of_patch[i]];

@@ -115,4 +115,26 @@ bool contains(std::span<const Vec2> polygon, const Vec2& q) {
     return inside;
 }
 
+std::vector<Vec3> convex_hull(std::span<const Vec3> points, const PlaneFrame& frame) {
+    std::vector<std::pair<Vec2, std::size_t>> sorted;
+    for (std::size_t k = 0; k < points.size(); ++k) sorted.emplace_back(frame.flat(points[k]), k);
+    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.first.x(), a.first.y()) < std::pair(b.first.x(), b.first.y());
+    });
+    std::vector<Vec3> hull;
+    const auto half = [&](auto begin, auto end) {
+        std::vector<std::pair<Vec2, std::size_t>> chain;
+        for (auto at = begin; at != end; ++at) {
+            while (chain.size() >= 2 &&
+                   turn(chain[chain.size() - 2].first, chain.back().first, at->first) <= 0.0)
+                chain.pop_back();
+            chain.push_back(*at);
+        }
+        for (std::size_t k = 0; k + 1 < chain.size(); ++k) hull.push_back(points[chain[k].second]);
+    };
+    half(sorted.begin(), sorted.end());
+    half(sorted.rbegin(), sorted.rend());
+    return hull;
+}
+
 }  // namespace patchlight

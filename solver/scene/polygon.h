@@ -40,6 +40,10 @@ inline double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 /// (Meisters, "Polygons have ears", 1975). Fewer than n - 2 triangles: the polygon is not simple.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> polygon);
 
+/// Corners of the convex hull of points near a plane, seen from its front, counter-clockwise;
+/// the points themselves, not their projections. Andrew's monotone chain (1979).
+std::vector<Vec3> convex_hull(std::span<const Vec3> points, const PlaneFrame& frame);
+
 /// Whether two edges that are not neighbours touch or cross.
 bool crosses_itself(std::span<const Vec2> polygon);
 

@@ -113,6 +113,23 @@ TEST(BlockerTable, FindsNothingInTheWayInAnEmptyPrism) {
     EXPECT_EQ(may, 0);
 }
 
+TEST(BlockerTable, AWallInPiecesIsNoMoreInTheWayThanAWhole) {
+    Scene tiles = empty_scene();
+    for (const Surface& wall : room().surfaces) {
+        const Vec3 u = (wall.corners[1] - wall.corners[0]) / 14.0,
+                   v = (wall.corners[3] - wall.corners[0]) / 14.0;
+        for (int k = 0; k < 14 * 14; ++k)
+            add(tiles, rectangle(wall.corners[0] + (k % 14) * u + (k / 14) * v, u, v));
+    }
+    const CutScene pieces = cut(tiles, 9.0);
+    ASSERT_EQ(pieces.mesh.size(), 1176u);
+    const BlockerTable table(pieces.scene, pieces.mesh);
+    int may = 0;
+    for (PatchIndex i = 0; i < pieces.mesh.size(); ++i)
+        for (PatchIndex j = 0; j < pieces.mesh.size(); ++j) may += table.may_block(i, j);
+    EXPECT_EQ(may, 0);
+}
+
 TEST(BlockerTable, NamesPairsWithABoxBetween) {
     const CutScene room = cut(room_with_box(), 0.1);
     const BlockerTable table(room.scene, room.mesh);

@@ -15,7 +15,7 @@ ExchangeMatrix told(const std::vector<Outside>& outside) {
     matrix.backs.clear(), matrix.escaped.clear();
     PatchClusters clusters;
     clusters.of_patch.assign(outside.size(), 0);
-    clusters.surface = {0};
+    clusters.group = {0};
     set_outside(matrix, outside, clusters);
     return matrix;
 }

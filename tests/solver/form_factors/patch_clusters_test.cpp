@@ -17,18 +17,24 @@ CutScene furnished() {
     return cut(scene, 0.07);
 }
 
-TEST(PatchClusters, AreOfOneSurfaceEachAndAscend) {
+PatchClusters clusters_of(const CutScene& cut_scene) {
+    return make_clusters(cut_scene.scene, cut_scene.mesh, find_plane_groups(cut_scene.scene));
+}
+
+TEST(PatchClusters, AreOfOnePlaneEachAndAscend) {
     const CutScene cut_scene = furnished();
-    const PatchClusters clusters = make_clusters(cut_scene.scene, cut_scene.mesh);
-    EXPECT_TRUE(std::is_sorted(clusters.surface.begin(), clusters.surface.end()));
+    const PatchClusters clusters = clusters_of(cut_scene);
+    const PlaneGroups groups = find_plane_groups(cut_scene.scene);
+    EXPECT_TRUE(std::is_sorted(clusters.group.begin(), clusters.group.end()));
     for (PatchIndex i = 0; i < cut_scene.mesh.size(); ++i)
-        EXPECT_EQ(clusters.surface[clusters.of_patch[i]], cut_scene.mesh.patches[i].surface);
+        EXPECT_EQ(clusters.group[clusters.of_patch[i]],
+                  groups.of_surface[cut_scene.mesh.patches[i].surface]);
 }
 
 TEST(PatchClusters, AreOfSomeSixteenPatches) {
     const CutScene cut_scene = furnished();
-    const PatchClusters clusters = make_clusters(cut_scene.scene, cut_scene.mesh);
-    std::vector<int> sizes(clusters.surface.size(), 0);
+    const PatchClusters clusters = clusters_of(cut_scene);
+    std::vector<int> sizes(clusters.size(), 0);
     for (const std::uint32_t c : clusters.of_patch) ++sizes[c];
     EXPECT_LE(*std::max_element(sizes.begin(), sizes.end()), 16);
     EXPECT_GE(*std::min_element(sizes.begin(), sizes.end()), 1);
@@ -37,7 +43,7 @@ TEST(PatchClusters, AreOfSomeSixteenPatches) {
 
 TEST(PatchClusters, LieWithinTheHullOfTheirPoints) {
     const CutScene cut_scene = furnished();
-    const PatchClusters clusters = make_clusters(cut_scene.scene, cut_scene.mesh);
+    const PatchClusters clusters = clusters_of(cut_scene);
     std::mt19937 chance(1);
     for (PatchIndex i = 0; i < cut_scene.mesh.size(); ++i)
         for (int n = 0; n < 10; ++n) {

@@ -1,0 +1,59 @@
+#include "solver/scene/plane_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double cell =
+    1e-3;  // of a normal's components, and of the scene's size, in the index [1]
+constexpr double alike = 0.999;  // cosine between normals of one group, at least [1]
+
+using Key = std::array<std::int64_t, 4>;
+
+/// The group's first surface stands for its plane.
+bool fits(const Surface& first, const Surface& other, double slack) {
+    if (first.normal.dot(other.normal) < alike) return false;
+    return std::all_of(other.corners.begin(), other.corners.end(), [&](const Vec3& p) {
+        return std::abs((p - first.corners[0]).dot(first.normal)) <= slack;
+    });
+}
+
+}  // namespace
+
+PlaneGroups find_plane_groups(const Scene& scene) {
+    PlaneGroups groups;
+    const double size = scene_size(scene), slack = 0.5 * contact_distance(scene);
+    if (!(size > 0.0)) return groups;
+    const Vec3 origin = scene.surfaces[0].corners[0];
+    std::map<Key, std::vector<std::uint32_t>> index;  // groups by rounded plane
+    groups.of_surface.reserve(scene.surfaces.size());
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        const Surface& surface = scene.surfaces[s];
+        const double level = (surface.corners[0] - origin).dot(surface.normal) / size;
+        const Key key{std::llround(surface.normal.x() / cell),
+                      std::llround(surface.normal.y() / cell),
+                      std::llround(surface.normal.z() / cell), std::llround(level / cell)};
+        std::vector<std::uint32_t>& candidates = index[key];
+        const auto found = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t g) {
+            return fits(scene.surfaces[groups.members[g][0]], surface, slack);
+        });
+        if (found != candidates.end()) {
+            groups.of_surface.push_back(*found);
+            groups.members[*found].push_back(s);
+            continue;
+        }
+        const auto number = static_cast<std::uint32_t>(groups.size());
+        candidates.push_back(number);
+        groups.of_surface.push_back(number);
+        groups.members.push_back({s});
+    }
+    return groups;
+}
+
+}  // namespace patchlight
