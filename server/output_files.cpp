@@ -1,9 +1,11 @@
 #include "server/output_files.h"
 
+#include "server/output_stream.h"
 #include "server/wrong_input.h"
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -35,9 +37,36 @@ void require_writable(const std::string& option, const std::string& path) {
                " cannot be written to: " + std::strerror(errno));
 }
 
+bool has_ending(std::string_view name, std::string_view ending) {
+    if (name.size() < ending.size()) return false;
+    const auto is_same = [](char small, char letter) {
+        const bool is_capital = letter >= 'A' && letter <= 'Z';
+        return (is_capital ? static_cast<char>(letter - 'A' + 'a') : letter) == small;
+    };
+    return std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending), is_same);
+}
+
+void require_ending(const std::string& option, const std::string& path,
+                    std::initializer_list<std::string_view> endings) {
+    const auto is_right = [&](std::string_view ending) { return has_ending(path, ending); };
+    if (endings.size() == 0 || std::any_of(endings.begin(), endings.end(), is_right)) return;
+    std::error_code unknown;
+    const fs::file_status status = fs::status(path, unknown);
+    if (fs::exists(status) && fs::is_other(status)) return;
+    std::string known;
+    for (const std::string_view ending : endings)
+        known.append(known.empty() ? "" : " or ").append(ending);
+    throw WrongInput(option + " " + path + ": the name must end in " + known);
+}
+
 void require_different(const std::vector<std::string>& paths) {
     std::set<fs::path> seen;
     for (const std::string& path : paths) {
+        if (path == to_standard_output) {
+            if (!seen.insert(path).second)
+                throw WrongInput("two outputs would be written to standard output");
+            continue;
+        }
         std::error_code unknown;
         const fs::path real = fs::weakly_canonical(fs::absolute(path), unknown);
         if (!seen.insert(unknown ? fs::path(path) : real).second)

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace patchlight::server {
@@ -9,7 +11,15 @@ namespace patchlight::server {
 /// it: before hours of work, not after. Not all obstacles can be seen: the disk may fill up.
 void require_writable(const std::string& option, const std::string& path);
 
-/// Throws WrongInput if two outputs would be the same file.
+/// Throws WrongInput unless the name ends in one of `endings`, in small letters or capitals; none
+/// given allow any name. What is there and is no regular file, such as a pipe, is named as it is.
+void require_ending(const std::string& option, const std::string& path,
+                    std::initializer_list<std::string_view> endings);
+
+/// Whether a name ends so, in small letters or capitals. `ending` is in small letters.
+bool has_ending(std::string_view name, std::string_view ending);
+
+/// Throws WrongInput if two outputs would be the same file, or both standard output ("-").
 void require_different(const std::vector<std::string>& paths);
 
 }  // namespace patchlight::server

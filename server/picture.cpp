@@ -2,28 +2,17 @@
 
 #include "raster/image_file.h"
 #include "raster/render.h"
+#include "server/output_files.h"
 
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
 namespace patchlight::server {
-namespace {
-
-bool ends_with(std::string_view text, std::string_view small_letters) {
-    if (text.size() < small_letters.size()) return false;
-    text.remove_prefix(text.size() - small_letters.size());
-    for (std::size_t k = 0; k < text.size(); ++k)
-        if ((text[k] | ('A' ^ 'a')) != (small_letters[k] | ('A' ^ 'a'))) return false;
-    return true;
-}
-
-}  // namespace
-
 std::optional<ImageFormat> format_of_file(std::string_view path) {
-    if (ends_with(path, ".png")) return ImageFormat::png;
-    if (ends_with(path, ".exr")) return ImageFormat::exr;
-    if (ends_with(path, ".pfm")) return ImageFormat::pfm;
+    if (has_ending(path, ".png")) return ImageFormat::png;
+    if (has_ending(path, ".exr")) return ImageFormat::exr;
+    if (has_ending(path, ".pfm")) return ImageFormat::pfm;
     return std::nullopt;
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "server/run_job.h"
+#include "server/picture_options.h"
 #include "server/settings_options.h"
+#include "server/solve_outputs.h"
 
-#include <optional>
 #include <string>
-#include <vector>
 
 namespace patchlight::server {
 
@@ -19,17 +18,13 @@ class SolveCommand {
     int run() const;
 
   private:
-    std::vector<ImageFormat> checked_formats() const;
     Job read_job() const;
-    NamedCamera& chosen_camera(Job& job) const;
-    void write(const Job& job, const JobResult& result) const;
+    JobResult solve(const Job& job, const std::vector<PictureRequest>& requests,
+                    double load_seconds) const;
 
     std::string scene_;
-    std::vector<std::string> images_;
-    std::optional<std::string> camera_;
-    std::optional<std::string> size_;
-    std::optional<double> exposure_;
-    std::optional<std::string> stats_;
+    SolveOutputs outputs_;
+    PictureOptions pictures_;
     bool is_quiet_ = false;
     SettingsOptions settings_;
 };

@@ -1,4 +1,5 @@
 #include "tests/server/run_program.h"
+#include "tests/server/small_box.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -8,21 +9,9 @@
 namespace patchlight::server {
 namespace {
 
-/// A closed box with a lamp on its ceiling, in which light goes about.
-const std::string box = R"({
-  "version": 1,
-  "materials": {"white": {"reflectance": 0.7}, "lamp": {"reflectance": 0.2, "radiance": 5}},
-  "objects": [
-    {"name": "walls", "material": "white", "mesh": {
-       "vertices": [[0,0,0],[2,0,0],[2,2,0],[0,2,0],[0,0,2],[2,0,2],[2,2,2],[0,2,2]],
-       "faces": [[0,1,2,3],[4,7,6,5],[0,3,7,4],[1,5,6,2],[0,4,5,1],[3,2,6,7]]}},
-    {"name": "lamp", "material": "lamp",
-     "polygon": [[0.7,0.7,1.9],[0.7,1.3,1.9],[1.3,1.3,1.9],[1.3,0.7,1.9]]}],
-  "cameras": [{"name": "main", "eye": [1,1,1.5], "look_at": [1,1.2,0], "size": [32,24]}],
-  "sensors": [{"name": "desk", "position": [1,1,0.8], "normal": [0,0,1]}],
-  "solve": {"patch_size": 0.7, "form_factors": "analytic"}})";
+const std::string& box = small_box;
 
-std::string box_file() { return write_test_file("box.json", box); }
+std::string box_file() { return small_box_file(); }
 
 void expect_refused(const std::string& arguments, const std::string& words) {
     const Outcome outcome = run_program(arguments);
@@ -155,8 +144,7 @@ TEST(CommandLine, WrongArgumentsAreRefused) {
 
 TEST(CommandLine, WhatIsNotBuiltYetIsRefused) {
     const std::string solve = "solve " + box_file() + " ";
-    for (const char* option : {"--false-colour", "--sensors a.csv", "--patches a.csv",
-                               "--mesh a.glb", "--accuracy 0.01", "--solver hierarchical"})
+    for (const char* option : {"--false-colour", "--mesh a.glb", "--accuracy 0.01", "--solver hierarchical"})
         expect_refused(solve + option, "is not built yet; ");
     for (const char* command : {"form-factors box.json", "chart box.json --output x", "selftest",
                                 "serve --port 80", "solve room.obj", "check room.GLB"})
@@ -184,7 +172,7 @@ TEST(CommandLine, AnInterruptedSolveWritesWhatThereIs) {
         run_program("solve " + box_file() +
                         " --form-factors ray-cast --rays 1000000 --patch-size 0.1"
                         " --stats s.json --image i.pfm",
-                    "timeout --preserve-status -s INT 1");
+                    "timeout --foreground --preserve-status -s INT 1");
     EXPECT_EQ(outcome.code, 130) << outcome.err;
     EXPECT_EQ(nlohmann::json::parse(read_test_file("s.json"))["status"], "cancelled");
     EXPECT_TRUE(read_test_file("i.pfm").starts_with("PF\n32 24\n"));

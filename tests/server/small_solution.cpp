@@ -29,10 +29,11 @@ Solution small_solution() {
     solution.settings.patch_size = 0.1;
     solution.settings.tolerance = 1e-4;
     solution.why = "small and open";
-    for (const auto& [surface, area] : {std::pair{SurfaceIndex{0}, 2.0}, {1, 1.0}}) {
+    for (const SurfaceIndex surface : {0u, 1u}) {
         Patch patch;
         patch.surface = surface;
-        patch.area = area;
+        patch.area = surface == 0 ? 2.0 : 1.0;
+        patch.centre = surface == 0 ? Vec3(1, 0.5, 3) : Vec3(0.5, 0.5, 0);
         solution.mesh.patches.push_back(patch);
     }
     solution.radiosity = {Rgb(103, 102, 101), Rgb(9, 8, 7)};

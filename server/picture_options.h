@@ -1,0 +1,39 @@
+#pragma once
+
+#include "server/run_job.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace patchlight::server {
+
+/// The options of `solve` that say how pictures are taken.
+class PictureOptions {
+  public:
+    /// Has to outlive the command, which writes into it. `image` is the option that asks for
+    /// pictures: without it the others mean nothing.
+    void add_to(CLI::App& command, CLI::Option* image);
+
+    /// Throws WrongInput if an option means nothing to any of the pictures.
+    void check(const std::vector<ImageFormat>& formats) const;
+
+    /// What is to be taken of the scene read from `file`; nothing if there are no formats. Throws
+    /// WrongInput if the camera is not there. What the job says of the camera is made to agree.
+    std::vector<PictureRequest> requests(const std::vector<ImageFormat>& formats,
+                                         const std::string& file, Job& job) const;
+
+  private:
+    NamedCamera& chosen_camera(const std::string& file, Job& job) const;
+
+    std::optional<std::string> camera_;
+    std::optional<std::string> size_;
+    std::optional<double> exposure_;
+};
+
+}  // namespace patchlight::server
