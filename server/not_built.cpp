@@ -19,7 +19,6 @@ constexpr std::array lacks{
     Lack{"hierarchical", "use `gauss-seidel` or `shooting`"},
     Lack{"accuracy", "set `patch_size` and `rays`"},
     Lack{"--false-colour", "use `--image` without it"},
-    Lack{"--mesh", "use `--image` or `--stats`"},
     Lack{"form-factors", "use `solve` or `check`"},
     Lack{"chart", "use `solve` or `check`"},
     Lack{"selftest", "use `solve` or `check`"},

@@ -54,15 +54,19 @@ void PictureOptions::add_to(CLI::App& command, CLI::Option* image) {
     command.add_option("--size", size_, "of the picture in pixels; the camera's if not given")
         ->type_name("WxH")
         ->needs(image);
-    command.add_option("--exposure", exposure_, "of a .png, in stops; from the light if not given")
+    command
+        .add_option("--exposure", exposure_,
+                    "of a .png or .glb, in stops; from the light if not given")
         ->type_name("EV")
-        ->needs(image)
         ->check(exposure_in_range());
 }
 
-void PictureOptions::check(const std::vector<ImageFormat>& formats) const {
-    if (exposure_ && std::find(formats.begin(), formats.end(), ImageFormat::png) == formats.end())
-        throw WrongInput("--exposure: only .png pictures are exposed, and none is asked for");
+void PictureOptions::check(const std::vector<ImageFormat>& formats, bool is_mesh_wanted) const {
+    const bool any_png =
+        std::find(formats.begin(), formats.end(), ImageFormat::png) != formats.end();
+    if (exposure_ && !any_png && !is_mesh_wanted)
+        throw WrongInput(
+            "--exposure: only .png pictures and .glb meshes are exposed, and none is asked for");
 }
 
 std::vector<PictureRequest> PictureOptions::requests(const std::vector<ImageFormat>& formats,

@@ -20,8 +20,11 @@ class PictureOptions {
     /// pictures: without it the others mean nothing.
     void add_to(CLI::App& command, CLI::Option* image);
 
-    /// Throws WrongInput if an option means nothing to any of the pictures.
-    void check(const std::vector<ImageFormat>& formats) const;
+    /// Throws WrongInput if an option means nothing to what is asked for.
+    void check(const std::vector<ImageFormat>& formats, bool is_mesh_wanted) const;
+
+    /// Of what is made to be looked at; empty: from the solution [stops].
+    std::optional<double> exposure() const { return exposure_; }
 
     /// What is to be taken of the scene read from `file`; nothing if there are no formats. Throws
     /// WrongInput if the camera is not there. What the job says of the camera is made to agree.

@@ -42,7 +42,7 @@ int exit_code(Status status) {
 }
 
 void refuse_options_not_built(CLI::App& command) {
-    for (const char* option : {"--false-colour", "--mesh"})
+    for (const char* option : {"--false-colour"})
         command
             .add_option_function<std::vector<std::string>>(
                 option,
@@ -69,6 +69,7 @@ CLI::App* SolveCommand::add_to(CLI::App& program) {
     add_output("--stats", outputs_.stats, "result JSON to write; - for standard output");
     add_output("--sensors", outputs_.sensors, "irradiance at sensors, as .csv; - likewise");
     add_output("--patches", outputs_.patches, "light on every patch, as .csv; - likewise");
+    add_output("--mesh", outputs_.mesh, "the surfaces with their light, as .glb");
     command->add_flag("--quiet", is_quiet_, "no progress on the terminal");
     settings_.add_to(*command);
     refuse_options_not_built(*command);
@@ -78,14 +79,14 @@ CLI::App* SolveCommand::add_to(CLI::App& program) {
 int SolveCommand::run() const {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<ImageFormat> formats = checked_formats(outputs_);
-    pictures_.check(formats);
+    pictures_.check(formats, outputs_.mesh.has_value());
     if (std::any_of(formats.begin(), formats.end(), needs_codec)) raster::preload_image_codec();
     catch_interrupts();
     Job job = read_job();
     const auto requests = pictures_.requests(formats, shown_path(scene_), job);
     const std::chrono::duration<double> load = std::chrono::steady_clock::now() - start;
     const JobResult result = solve(job, requests, load.count());
-    write_outputs(outputs_, job, result);
+    write_outputs(outputs_, pictures_.exposure(), job, result);
     if (outputs_.none()) std::cout << summary(job, result);
     tell_why_unfinished(result.solution.status);
     return exit_code(result.solution.status);

@@ -1,6 +1,8 @@
 #include "server/solve_outputs.h"
 
 #include "raster/write_whole.h"
+#include "server/exposure.h"
+#include "server/mesh_glb.h"
 #include "server/output_files.h"
 #include "server/output_stream.h"
 #include "server/patches_csv.h"
@@ -58,6 +60,11 @@ std::vector<ImageFormat> checked_formats(const SolveOutputs& outputs) {
     check_text("--stats", outputs.stats, {}, paths);
     check_text("--sensors", outputs.sensors, {".csv"}, paths);
     check_text("--patches", outputs.patches, {".csv"}, paths);
+    if (outputs.mesh) {
+        require_ending("--mesh", *outputs.mesh, {".glb"});
+        require_writable("--mesh", *outputs.mesh);
+        paths.push_back(*outputs.mesh);
+    }
     require_different(paths);
     return formats;
 }
@@ -67,7 +74,8 @@ void require_in_scene(const SolveOutputs& outputs, const Scene& scene, const std
         throw WrongInput("--sensors: there are no `sensors` in " + file);
 }
 
-void write_outputs(const SolveOutputs& outputs, const Job& job, const JobResult& result) {
+void write_outputs(const SolveOutputs& outputs, std::optional<double> exposure, const Job& job,
+                   const JobResult& result) {
     Attempts all;
     const Solution& solution = result.solution;
     const auto write = [&](const std::optional<std::string>& path, const auto& writer) {
@@ -78,6 +86,9 @@ void write_outputs(const SolveOutputs& outputs, const Job& job, const JobResult&
           [&](const TextSink& sink) { write_sensors_csv(job.scene, solution, sink); });
     write(outputs.patches,
           [&](const TextSink& sink) { write_patches_csv(job.scene, solution, sink); });
+    write(outputs.mesh, [&](const TextSink& sink) {
+        sink(mesh_glb(job, solution, exposure.value_or(automatic_exposure(job.scene, solution))));
+    });
     for (std::size_t k = 0; k < outputs.images.size(); ++k)
         all.attempt([&] { raster::write_whole(outputs.images[k], result.images.at(k).bytes); });
     all.rethrow();

@@ -14,8 +14,9 @@ struct SolveOutputs {
     std::optional<std::string> stats;    // result JSON
     std::optional<std::string> sensors;  // CSV
     std::optional<std::string> patches;  // CSV
+    std::optional<std::string> mesh;     // GLB
 
-    bool none() const { return images.empty() && !stats && !sensors && !patches; }
+    bool none() const { return images.empty() && !stats && !sensors && !patches && !mesh; }
 };
 
 /// The formats of the images. Throws WrongInput unless every output can be made, as far as can be
@@ -26,7 +27,9 @@ std::vector<ImageFormat> checked_formats(const SolveOutputs& outputs);
 void require_in_scene(const SolveOutputs& outputs, const Scene& scene, const std::string& file);
 
 /// Writes all of them; of images those that were made. What cannot be written does not keep the
-/// others from being written: the first failure is thrown at the end.
-void write_outputs(const SolveOutputs& outputs, const Job& job, const JobResult& result);
+/// others from being written: the first failure is thrown at the end. `exposure` is the mesh's;
+/// empty: from the solution [stops].
+void write_outputs(const SolveOutputs& outputs, std::optional<double> exposure, const Job& job,
+                   const JobResult& result);
 
 }  // namespace patchlight::server

@@ -46,7 +46,7 @@ TEST(SolveOutputs, WhatCannotBeWrittenDoesNotKeepTheOthersFromIt) {
     result.solution = small_solution();
     SolveOutputs outputs = with(&SolveOutputs::sensors, test_file("absent/sensors.csv"));
     outputs.patches = test_file("patches.csv");
-    EXPECT_THROW(write_outputs(outputs, small_job(), result), std::system_error);
+    EXPECT_THROW(write_outputs(outputs, {}, small_job(), result), std::system_error);
     EXPECT_TRUE(read_test_file("patches.csv").starts_with("index,"));
 }
 
