@@ -1,6 +1,7 @@
 #include "server/picture_options.h"
 
 #include "server/cameras_json.h"
+#include "server/false_colour.h"
 #include "server/wording.h"
 #include "server/wrong_input.h"
 
@@ -47,21 +48,47 @@ void resize(const std::string& size, const Scene& scene, NamedCamera& camera) {
 
 }  // namespace
 
-void PictureOptions::add_to(CLI::App& command, CLI::Option* image) {
+void PictureOptions::add_to(CLI::App& command, CLI::Option& image, CLI::Option& scene) {
     command.add_option("--camera", camera_, "which camera; the first if not given")
         ->type_name("NAME")
-        ->needs(image);
+        ->needs(&image);
     command.add_option("--size", size_, "of the picture in pixels; the camera's if not given")
         ->type_name("WxH")
-        ->needs(image);
+        ->needs(&image);
     command
         .add_option("--exposure", exposure_,
                     "of a .png or .glb, in stops; from the light if not given")
         ->type_name("EV")
         ->check(exposure_in_range());
+    const auto take = [this, &scene](const std::vector<std::string>& words) {
+        take_false_colour(words, scene);
+    };
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--false-colour", take,
+            "show irradiance (illuminance): .png in colours with a scale, the others as numbers")
+        ->type_name("[MIN:MAX]")
+        ->expected(0, 1)
+        ->allow_extra_args(false)
+        ->needs(&image);
+}
+
+/// Its value is optional, so the word that follows may be the scene.
+void PictureOptions::take_false_colour(const std::vector<std::string>& words, CLI::Option& scene) {
+    false_colour_.emplace();
+    if (words.empty() || words.front().empty()) return;
+    const std::string& word = words.front();
+    false_colour_->range = read_shown_range(word);
+    if (false_colour_->range) return;
+    if (scene.count() > 0)
+        throw WrongInput("--false-colour: must be MIN:MAX, such as 0:500, not " + in_quotes(word));
+    scene.add_result(word);
+    scene.run_callback();
 }
 
 void PictureOptions::check(const std::vector<ImageFormat>& formats, bool is_mesh_wanted) const {
+    if (exposure_ && false_colour_ && !is_mesh_wanted)
+        throw WrongInput("--exposure: means nothing with --false-colour");
     const bool any_png =
         std::find(formats.begin(), formats.end(), ImageFormat::png) != formats.end();
     if (exposure_ && !any_png && !is_mesh_wanted)
@@ -72,7 +99,7 @@ void PictureOptions::check(const std::vector<ImageFormat>& formats, bool is_mesh
 std::vector<PictureRequest> PictureOptions::requests(const std::vector<ImageFormat>& formats,
                                                      const std::string& file, Job& job) const {
     if (formats.empty()) return {};
-    return {{chosen_camera(file, job), formats, exposure_}};
+    return {{chosen_camera(file, job), formats, exposure_, false_colour_}};
 }
 
 /// The camera of the job that is asked for, with the size that is asked for.

@@ -17,8 +17,9 @@ namespace patchlight::server {
 class PictureOptions {
   public:
     /// Has to outlive the command, which writes into it. `image` is the option that asks for
-    /// pictures: without it the others mean nothing.
-    void add_to(CLI::App& command, CLI::Option* image);
+    /// pictures: without it the others mean nothing. `scene` is what a word after --false-colour is
+    /// taken for if it is no range.
+    void add_to(CLI::App& command, CLI::Option& image, CLI::Option& scene);
 
     /// Throws WrongInput if an option means nothing to what is asked for.
     void check(const std::vector<ImageFormat>& formats, bool is_mesh_wanted) const;
@@ -32,11 +33,13 @@ class PictureOptions {
                                          const std::string& file, Job& job) const;
 
   private:
+    void take_false_colour(const std::vector<std::string>& words, CLI::Option& scene);
     NamedCamera& chosen_camera(const std::string& file, Job& job) const;
 
     std::optional<std::string> camera_;
     std::optional<std::string> size_;
     std::optional<double> exposure_;
+    std::optional<FalseColourRequest> false_colour_;
 };
 
 }  // namespace patchlight::server

@@ -79,7 +79,15 @@ Json convergence_of(const std::vector<ConvergenceStep>& steps) {
     return list;
 }
 
-Json images_of(const std::vector<ImageReport>& images) {
+/// A picture that holds irradiance itself has a unit, but no colours.
+Json false_colour_of(const FalseColourReport& report, const Units& units) {
+    Json block = Json::object();
+    if (report.is_mapped) block = {{"min", report.least}, {"max", report.most}};
+    block["unit"] = result_units(units)["irradiance"];
+    return block;
+}
+
+Json images_of(const std::vector<ImageReport>& images, const Units& units) {
     Json list = Json::array();
     for (const ImageReport& image : images) {
         Json entry{{"camera", image.camera},
@@ -87,6 +95,7 @@ Json images_of(const std::vector<ImageReport>& images) {
                    {"width", image.width},
                    {"height", image.height}};
         if (image.exposure) entry["exposure"] = *image.exposure;
+        if (image.false_colour) entry["false_colour"] = false_colour_of(*image.false_colour, units);
         list.push_back(std::move(entry));
     }
     return list;
@@ -125,7 +134,7 @@ Json result_json(const Job& job, const Solution& solution, const RunReport& repo
     result["objects"] = object_results(job.scene, solution);
     result["sensors"] = sensor_results(job.scene, solution);
     result["grids"] = grid_results(job.scene, solution);
-    result["images"] = images_of(report.images);
+    result["images"] = images_of(report.images, job.units);
     result["findings"] = finding_list(solution.findings);
     result["seconds"] = seconds_of(solution.seconds, report);
     result["threads"] = report.threads;

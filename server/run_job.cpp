@@ -1,6 +1,7 @@
 #include "server/run_job.h"
 
 #include "server/exposure.h"
+#include "server/false_colour.h"
 #include "server/result_json.h"
 #include "solver/solve_scene.h"
 
@@ -8,6 +9,7 @@
 #include <tbb/global_control.h>
 
 #include <chrono>
+#include <utility>
 
 namespace patchlight::server {
 namespace {
@@ -25,20 +27,50 @@ std::uint64_t peak_memory() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * kibibyte;
 }
 
+ImageReport report_of(const PictureRequest& request, ImageFormat format,
+                      const raster::Image& image) {
+    return {request.camera.name, content_type(format), image.width, image.height, {}};
+}
+
+std::vector<MadeImage> take_light_pictures(const Job& job, const Solution& solution,
+                                           const PictureRequest& request) {
+    const raster::Image image = take_picture(solution, request.camera.camera);
+    const double exposure =
+        request.exposure ? *request.exposure : automatic_exposure(job.scene, solution);
+    std::vector<MadeImage> made;
+    for (const ImageFormat format : request.formats) {
+        ImageReport report = report_of(request, format, image);
+        if (format == ImageFormat::png) report.exposure = exposure;
+        made.push_back({std::move(report), encode(image, format, exposure)});
+    }
+    return made;
+}
+
+std::vector<MadeImage> take_false_colour_pictures(const Job& job, const Solution& solution,
+                                                  const PictureRequest& request) {
+    const raster::QuantityImage seen =
+        take_irradiance_picture(job.scene, solution, request.camera.camera);
+    const raster::ShownRange range =
+        request.false_colour->range.value_or(automatic_range(job.scene, solution));
+    constexpr double as_it_is = 0.0;  // stops
+    std::vector<MadeImage> made;
+    for (const ImageFormat format : request.formats) {
+        const raster::Image image = false_colour_picture(seen, format, range, job.units.light);
+        ImageReport report = report_of(request, format, image);
+        report.false_colour = {range.least, range.most, format == ImageFormat::png};
+        made.push_back({std::move(report), encode(image, format, as_it_is)});
+    }
+    return made;
+}
+
 std::vector<MadeImage> take_pictures(const Job& job, const Solution& solution,
                                      const std::vector<PictureRequest>& requests) {
     std::vector<MadeImage> made;
-    for (const PictureRequest& request : requests) {
-        const raster::Image image = take_picture(solution, request.camera.camera);
-        const double exposure =
-            request.exposure ? *request.exposure : automatic_exposure(job.scene, solution);
-        for (const ImageFormat format : request.formats) {
-            ImageReport report{
-                request.camera.name, content_type(format), image.width, image.height, {}};
-            if (format == ImageFormat::png) report.exposure = exposure;
-            made.push_back({std::move(report), encode(image, format, exposure)});
-        }
-    }
+    for (const PictureRequest& request : requests)
+        for (MadeImage& image : request.false_colour
+                                    ? take_false_colour_pictures(job, solution, request)
+                                    : take_light_pictures(job, solution, request))
+            made.push_back(std::move(image));
     return made;
 }
 

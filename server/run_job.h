@@ -1,5 +1,6 @@
 #pragma once
 
+#include "raster/quantity_image.h"
 #include "server/job.h"
 #include "server/picture.h"
 #include "server/run_report.h"
@@ -13,11 +14,17 @@
 
 namespace patchlight::server {
 
+/// Colours that stand for irradiance.
+struct FalseColourRequest {
+    std::optional<raster::ShownRange> range;  // empty: from the solution [W/m² or lx]
+};
+
 /// One view, in as many formats as are wanted of it.
 struct PictureRequest {
     NamedCamera camera;
     std::vector<ImageFormat> formats;
     std::optional<double> exposure;  // of PNG; empty: from the solution [stops]
+    std::optional<FalseColourRequest> false_colour = {};  // empty: the light as it is
 };
 
 struct MadeImage {

@@ -7,6 +7,13 @@
 
 namespace patchlight::server {
 
+/// What the colours of a picture stand for.
+struct FalseColourReport {
+    double least = 0.0;     // shown in the first colour [unit]
+    double most = 0.0;      // and in the last [unit]
+    bool is_mapped = true;  // else the picture holds the quantity itself
+};
+
 /// A picture that was made.
 struct ImageReport {
     std::string camera;
@@ -14,6 +21,7 @@ struct ImageReport {
     int width = 0;                   // [pixels]
     int height = 0;                  // [pixels]
     std::optional<double> exposure;  // of pictures made to be looked at [stops]
+    std::optional<FalseColourReport> false_colour = {};
 };
 
 /// What a run knows beside its solution.

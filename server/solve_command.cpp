@@ -2,7 +2,6 @@
 
 #include "raster/image_module.h"
 #include "server/interrupt.h"
-#include "server/not_built.h"
 #include "server/progress_line.h"
 #include "server/scene_file.h"
 #include "server/summary.h"
@@ -41,28 +40,17 @@ int exit_code(Status status) {
     throw std::logic_error("a status without an exit code");
 }
 
-void refuse_options_not_built(CLI::App& command) {
-    for (const char* option : {"--false-colour"})
-        command
-            .add_option_function<std::vector<std::string>>(
-                option,
-                [option](const std::vector<std::string>&) {
-                    throw WrongInput(why_not_built(option));
-                })
-            ->expected(0, 1)
-            ->group("");
-}
-
 }  // namespace
 
 CLI::App* SolveCommand::add_to(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("solve", "Solve a scene; write pictures and results");
-    command->add_option("SCENE", scene_, "scene JSON; - for standard input")->required();
+    CLI::Option* scene =
+        command->add_option("SCENE", scene_, "scene JSON; - for standard input")->required();
     CLI::Option* image = command->add_option("--image", outputs_.images,
                                              "picture to write: .png, .exr or .pfm; may repeat");
     image->type_name("FILE")->take_all()->expected(1)->allow_extra_args(false);
-    pictures_.add_to(*command, image);
+    pictures_.add_to(*command, *image, *scene);
     const auto add_output = [&](const char* option, auto& path, const char* meaning) {
         command->add_option(option, path, meaning)->type_name("FILE");
     };
@@ -72,7 +60,6 @@ CLI::App* SolveCommand::add_to(CLI::App& program) {
     add_output("--mesh", outputs_.mesh, "the surfaces with their light, as .glb");
     command->add_flag("--quiet", is_quiet_, "no progress on the terminal");
     settings_.add_to(*command);
-    refuse_options_not_built(*command);
     return command;
 }
 

@@ -144,7 +144,7 @@ TEST(CommandLine, WrongArgumentsAreRefused) {
 
 TEST(CommandLine, WhatIsNotBuiltYetIsRefused) {
     const std::string solve = "solve " + box_file() + " ";
-    for (const char* option : {"--false-colour", "--accuracy 0.01", "--solver hierarchical"})
+    for (const char* option : {"--accuracy 0.01", "--solver hierarchical"})
         expect_refused(solve + option, "is not built yet; ");
     for (const char* command : {"form-factors box.json", "chart box.json --output x", "selftest",
                                 "serve --port 80", "solve room.obj", "check room.GLB"})
