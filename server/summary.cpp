@@ -1,6 +1,7 @@
 #include "server/summary.h"
 
 #include "server/result_json.h"
+#include "server/sensor_summary.h"
 #include "server/solve_json.h"
 
 #include <algorithm>
@@ -98,7 +99,7 @@ std::string summary(const Job& job, const JobResult& result) {
         std::to_string(solution.mesh.size()) + ", iterations " + std::to_string(iterations) + "\n";
     if (is_solved(solution))
         lines += error_line(solution) + energy_line(job, solution.energy) +
-                 brightest_line(job, solution);
+                 brightest_line(job, solution) + sensor_lines(job, solution);
     return lines + time_line(result) + finding_lines(solution.findings);
 }
 

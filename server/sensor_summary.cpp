@@ -1,0 +1,63 @@
+#include "server/sensor_summary.h"
+
+#include "server/scene_results.h"
+#include "server/summary.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace patchlight::server {
+namespace {
+
+constexpr std::size_t most_shown = 3;
+
+std::string and_more(std::size_t count) {
+    return count > most_shown ? ", and " + std::to_string(count - most_shown) + " more" : "";
+}
+
+/// Numbers of the sensors that are in no grid.
+std::vector<std::size_t> single_sensors(const Scene& scene) {
+    std::vector<bool> is_single(scene.sensors.size(), true);
+    for (const SensorGrid& grid : scene.grids) {
+        const auto count =
+            static_cast<std::size_t>(grid.count_u) * static_cast<std::size_t>(grid.count_v);
+        for (std::size_t k = grid.first; k < grid.first + count; ++k) is_single[k] = false;
+    }
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < is_single.size(); ++k)
+        if (is_single[k]) numbers.push_back(k);
+    return numbers;
+}
+
+std::string single_line(const Scene& scene, const Solution& solution, const std::string& unit) {
+    const std::vector<std::size_t> singles = single_sensors(scene);
+    if (singles.empty()) return "";
+    std::string line = "sensors:   ";
+    for (std::size_t k = 0; k < std::min(singles.size(), most_shown); ++k)
+        line += (k == 0 ? "" : ", ") + scene.sensors[singles[k]].name + " " +
+                rounded(luminance(solution.sensors.at(singles[k]).irradiance)) + unit;
+    return line + and_more(singles.size()) + "\n";
+}
+
+std::string grid_line(const nlohmann::ordered_json& grid, const std::string& unit) {
+    const auto number = [&](const char* key) { return rounded(grid.at(key).get<double>()); };
+    std::string line = "grid:      " + grid.at("name").get<std::string>() + " " + number("min") +
+                       " to " + number("max") + unit + ", mean " + number("mean");
+    if (grid.contains("uniformity")) line += ", uniformity " + number("uniformity");
+    return line;
+}
+
+}  // namespace
+
+std::string sensor_lines(const Job& job, const Solution& solution) {
+    if (solution.sensors.empty()) return "";
+    const std::string unit = job.units.light == LightUnit::photometric ? " lx" : " W/m²";
+    std::string lines = single_line(job.scene, solution, unit);
+    const auto grids = grid_results(job.scene, solution);
+    for (std::size_t k = 0; k < std::min(grids.size(), most_shown); ++k)
+        lines += grid_line(grids[k], unit) +
+                 (k + 1 == most_shown ? and_more(grids.size()) : std::string()) + "\n";
+    return lines;
+}
+
+}  // namespace patchlight::server
