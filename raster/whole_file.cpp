@@ -64,6 +64,17 @@ void WholeFile::write(std::string_view bytes) {
     }
 }
 
+void WholeFile::overwrite(std::uint64_t offset, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count =
+            ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail();
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+        offset += static_cast<std::uint64_t>(count);
+    }
+}
+
 void WholeFile::commit() {
     const bool is_synced = written_.empty() || ::fsync(descriptor_) == 0;
     if (!is_synced || ::close(std::exchange(descriptor_, -1)) != 0) fail();

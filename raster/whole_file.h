@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 
@@ -17,6 +18,9 @@ class WholeFile {
     WholeFile& operator=(const WholeFile&) = delete;
 
     void write(std::string_view bytes);
+
+    /// Puts bytes in the place of as many that were written before. No pipe allows it.
+    void overwrite(std::uint64_t offset, std::string_view bytes);
 
     /// Synced to disk, then renamed. Nothing may be written after it.
     void commit();

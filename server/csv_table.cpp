@@ -15,7 +15,23 @@ void append_number(std::string& text, Number number) {
     text.append(digits, written.ptr);
 }
 
+void append_field(std::string& table, std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+        table += text;
+        return;
+    }
+    table += '"';
+    for (const char character : text) table.append(character == '"' ? 2 : 1, character);
+    table += '"';
+}
+
 }  // namespace
+
+std::string csv_field(std::string_view text) {
+    std::string field;
+    append_field(field, text);
+    return field;
+}
 
 CsvTable::CsvTable(std::string_view header, TextSink sink)
     : sink_(std::move(sink)), pending_(header) {
@@ -24,13 +40,7 @@ CsvTable::CsvTable(std::string_view header, TextSink sink)
 
 CsvTable& CsvTable::text(std::string_view field) {
     begin_field();
-    if (field.find_first_of(",\"\r\n") == std::string_view::npos) {
-        pending_ += field;
-        return *this;
-    }
-    pending_ += '"';
-    for (const char character : field) pending_.append(character == '"' ? 2 : 1, character);
-    pending_ += '"';
+    append_field(pending_, field);
     return *this;
 }
 

@@ -8,6 +8,9 @@
 
 namespace patchlight::server {
 
+/// A text as a field of a CSV file: in quotes where it needs them (RFC 4180).
+std::string csv_field(std::string_view text);
+
 /// Comma-separated values, handed on in large pieces. Texts are quoted where they need it, as
 /// Shafranovich, RFC 4180, "Common Format and MIME Type for CSV Files", 2005 has it; but lines end
 /// in "\n" alone, as programs of today write and read them. Numbers are the shortest that read

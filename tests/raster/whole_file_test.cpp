@@ -56,6 +56,15 @@ TEST_F(AWholeFile, LeavesNothingWithoutACommit) {
     EXPECT_EQ(file_count(), 1);
 }
 
+TEST_F(AWholeFile, IsOverwrittenInPlaces) {
+    WholeFile file(directory / "table");
+    file.write("size ... 1 2 3");
+    file.overwrite(5, "  3");
+    file.write(" end");
+    file.commit();
+    EXPECT_EQ(text_of(directory / "table"), "size   3 1 2 3 end");
+}
+
 TEST_F(AWholeFile, NamesWhatCannotBeOpened) {
     try {
         const WholeFile file(directory / "absent" / "table");
