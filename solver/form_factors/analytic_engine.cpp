@@ -20,8 +20,9 @@ AnalyticEngine::AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const 
     : mesh_(mesh),
       ray_scene_(ray_scene),
       settings_(settings),
-      exchange_(scene, mesh),
-      blockers_(scene, mesh),
+      groups_(find_plane_groups(scene)),
+      exchange_(scene, mesh, groups_),
+      blockers_(scene, mesh, groups_),
       outside_rays_(scene, mesh, ray_scene, settings.outside_rays, mix(settings.seed, 0x6f7574)),
       visibility_(outside_rays_.rays(), ray_scene, most_samples, mix(settings.seed, 0x766973)) {}
 
@@ -49,7 +50,8 @@ std::vector<VisibilityQuery> AnalyticEngine::first_queries(const FactorRow& row,
 void AnalyticEngine::refine(std::vector<VisibilityQuery>& queries) const {
     std::vector<FirstLook> looks;
     for (const VisibilityQuery& query : queries)
-        looks.push_back({mesh_.patches[query.j].surface, query.clear, query.taken});
+        looks.push_back(
+            {groups_.of_surface[mesh_.patches[query.j].surface], query.clear, query.taken});
     const std::vector<bool> chosen = in_penumbra(looks);
     std::vector<VisibilityQuery> more;
     std::vector<std::size_t> places;

@@ -36,6 +36,7 @@ class AnalyticEngine final : public FormFactorEngine {
     const PatchMesh& mesh_;
     const RayScene& ray_scene_;
     AnalyticSettings settings_;
+    PlaneGroups groups_;
     UnoccludedExchange exchange_;
     BlockerTable blockers_;
     OutsideRays outside_rays_;

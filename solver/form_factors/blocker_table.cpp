@@ -98,8 +98,7 @@ struct Tester {
 
 }  // namespace
 
-BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh) {
-    const PlaneGroups groups = find_plane_groups(scene);
+BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh, const PlaneGroups& groups) {
     const PatchClusters clusters = make_clusters(scene, mesh, groups);
     cluster_ = clusters.of_patch;
     const std::size_t n = clusters.size(), planes = groups.size();

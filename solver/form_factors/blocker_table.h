@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/mesh/patch_mesh.h"
+#include "solver/scene/plane_groups.h"
 
 #include <cstdint>
 #include <vector>
@@ -13,7 +14,7 @@ namespace patchlight {
 /// hull. Conservative: "may block" can be wrong, "cannot" never is.
 class BlockerTable {
   public:
-    BlockerTable(const Scene& scene, const PatchMesh& mesh);
+    BlockerTable(const Scene& scene, const PatchMesh& mesh, const PlaneGroups& groups);
 
     bool may_block(PatchIndex i, PatchIndex j) const {
         if (always_) return true;

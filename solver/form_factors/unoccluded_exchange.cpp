@@ -18,16 +18,19 @@ struct Reach {
 constexpr Reach quad_reach{30.0, 9.0, 4.5};
 constexpr Reach triangle_reach{60.0, 12.0, 5.0};
 constexpr double in_plane = 1e-10;  // of the scene's size: rounding of coordinates [1]
-constexpr std::size_t most_tabled_surfaces = 2048;  // places of surfaces are tabled up to here
+constexpr std::size_t most_tabled_groups = 2048;  // places of planes are tabled up to here
 
 }  // namespace
 
-UnoccludedExchange::UnoccludedExchange(const Scene& scene, const PatchMesh& mesh)
+UnoccludedExchange::UnoccludedExchange(const Scene& scene, const PatchMesh& mesh,
+                                       const PlaneGroups& groups)
     : scene_(scene),
       mesh_(mesh),
       flat_(in_plane * scene_size(scene)),
       polygons_(mesh.size()),
       radius_(mesh.size()),
+      group_of_(groups.of_surface),
+      group_count_(groups.size()),
       points2_(make_patch_points(mesh, 2)),
       points3_(make_patch_points(mesh, 3)),
       points4_(make_patch_points(mesh, 4)) {
@@ -36,28 +39,30 @@ UnoccludedExchange::UnoccludedExchange(const Scene& scene, const PatchMesh& mesh
             polygons_[i].add(p);
             radius_[i] = std::max(radius_[i], (p - mesh.patches[i].centre).norm());
         }
-    const std::size_t n = scene.surfaces.size();
-    if (n > most_tabled_surfaces) return;
-    surface_place_.resize(n * n, Place::cut);
-    for (SurfaceIndex s = 0; s < n; ++s)
-        for (SurfaceIndex t = 0; t < n; ++t) {
+    const std::size_t n = groups.size();
+    if (n > most_tabled_groups) return;
+    group_place_.resize(n * n, Place::cut);
+    for (std::size_t g = 0; g < n; ++g)
+        for (std::size_t h = 0; h < n; ++h) {
+            const Surface& plane = scene.surfaces[groups.members[h][0]];
             double lowest = 0.0, highest = 0.0;
-            for (const Vec3& p : scene.surfaces[s].corners) {
-                const double height =
-                    (p - scene.surfaces[t].corners[0]).dot(scene.surfaces[t].normal);
-                lowest = std::min(lowest, height);
-                highest = std::max(highest, height);
-            }
-            if (highest <= flat_)
-                surface_place_[s * n + t] = Place::behind;
+            for (const SurfaceIndex s : groups.members[g])
+                for (const Vec3& p : scene.surfaces[s].corners) {
+                    const double height = (p - plane.corners[0]).dot(plane.normal);
+                    lowest = std::min(lowest, height);
+                    highest = std::max(highest, height);
+                }
+            if (highest <= flat_ || g == h)
+                group_place_[g * n + h] = Place::behind;
             else if (lowest >= -flat_)
-                surface_place_[s * n + t] = Place::in_front;
+                group_place_[g * n + h] = Place::in_front;
         }
 }
 
 UnoccludedExchange::Place UnoccludedExchange::place(PatchIndex i, SurfaceIndex of) const {
-    if (!surface_place_.empty()) {
-        const Place tabled = surface_place_[mesh_.patches[i].surface * scene_.surfaces.size() + of];
+    if (!group_place_.empty()) {
+        const Place tabled =
+            group_place_[group_of_[mesh_.patches[i].surface] * group_count_ + group_of_[of]];
         if (tabled != Place::cut) return tabled;
     }
     const Surface& plane = scene_.surfaces[of];

@@ -3,6 +3,7 @@
 #include "solver/form_factors/convex_polygon.h"
 #include "solver/form_factors/patch_points.h"
 #include "solver/mesh/patch_mesh.h"
+#include "solver/scene/plane_groups.h"
 
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace patchlight {
 /// apart for their size, the contour integral when near, both clipped at each other's planes first.
 class UnoccludedExchange {
   public:
-    UnoccludedExchange(const Scene& scene, const PatchMesh& mesh);
+    UnoccludedExchange(const Scene& scene, const PatchMesh& mesh, const PlaneGroups& groups);
 
     /// 0, exactly, for patches of one surface, coplanar ones and those facing away [m²].
     double operator()(PatchIndex i, PatchIndex j) const;
@@ -26,8 +27,10 @@ class UnoccludedExchange {
     const PatchMesh& mesh_;
     double flat_;  // heights up to this are in the plane [m]
     std::vector<ConvexPolygon> polygons_;
-    std::vector<double> radius_;        // of patches about their centres [m]
-    std::vector<Place> surface_place_;  // of surface s before surface t, at s * surfaces + t
+    std::vector<double> radius_;           // of patches about their centres [m]
+    std::vector<std::uint32_t> group_of_;  // plane group of each surface
+    std::size_t group_count_;
+    std::vector<Place> group_place_;  // of plane group g before group h, at g * groups + h
     PatchPoints points2_, points3_, points4_;
 };
 

@@ -14,7 +14,7 @@ std::vector<bool> in_penumbra(std::span<const FirstLook> looks) {
         int clear = 0, taken = 0, neighbours = 0;
         for (std::size_t l = k < reach ? 0 : k - reach; l < std::min(looks.size(), k + reach + 1);
              ++l) {
-            if (l == k || looks[l].surface != looks[k].surface) continue;
+            if (l == k || looks[l].sheet != looks[k].sheet) continue;
             clear += looks[l].clear;
             taken += looks[l].taken;
             ++neighbours;

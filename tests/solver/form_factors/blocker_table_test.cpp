@@ -53,7 +53,7 @@ Scene random_boxes(unsigned seed) {
 TEST(BlockerTable, NeverOverlooksABlocker) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         const CutScene boxes = cut(random_boxes(seed), 0.25);
-        const BlockerTable table(boxes.scene, boxes.mesh);
+        const BlockerTable table(boxes.scene, boxes.mesh, find_plane_groups(boxes.scene));
         std::mt19937 chance(seed);
         int cleared = 0, overlooked = 0;
         for (int pair = 0; pair < 8000; ++pair) {
@@ -80,7 +80,7 @@ TEST(BlockerTable, NeverOverlooksABlocker) {
 
 TEST(BlockerTable, IsSymmetric) {
     const CutScene boxes = cut(random_boxes(4), 0.3);
-    const BlockerTable table(boxes.scene, boxes.mesh);
+    const BlockerTable table(boxes.scene, boxes.mesh, find_plane_groups(boxes.scene));
     for (PatchIndex i = 0; i < boxes.mesh.size(); ++i)
         for (PatchIndex j = 0; j < i; ++j)
             ASSERT_EQ(table.may_block(i, j), table.may_block(j, i)) << i << ' ' << j;
@@ -90,7 +90,7 @@ TEST(BlockerTable, FindsNothingInTheWayInAnEmptyRoom) {
     for (const Motion& motion : {Motion{}, Motion{1e-4, Vec3(1, 2, 3), odd_turn()},
                                  Motion{1e6, Vec3(1e9, 0, 0), odd_turn() * odd_turn()}}) {
         const CutScene empty = cut(moved(room(), motion), 0.13 * motion.scale);
-        const BlockerTable table(empty.scene, empty.mesh);
+        const BlockerTable table(empty.scene, empty.mesh, find_plane_groups(empty.scene));
         int may = 0;
         for (PatchIndex i = 0; i < empty.mesh.size(); ++i)
             for (PatchIndex j = 0; j < empty.mesh.size(); ++j) may += table.may_block(i, j);
@@ -106,7 +106,7 @@ TEST(BlockerTable, FindsNothingInTheWayInAnEmptyPrism) {
         add(prism, rectangle(b, a - b, Vec3::UnitZ()));
     }
     const CutScene empty = cut(moved(prism, {1.0, Vec3(4, 4, 4), odd_turn()}), 0.2);
-    const BlockerTable table(empty.scene, empty.mesh);
+    const BlockerTable table(empty.scene, empty.mesh, find_plane_groups(empty.scene));
     int may = 0;
     for (PatchIndex i = 0; i < empty.mesh.size(); ++i)
         for (PatchIndex j = 0; j < empty.mesh.size(); ++j) may += table.may_block(i, j);
@@ -123,7 +123,7 @@ TEST(BlockerTable, AWallInPiecesIsNoMoreInTheWayThanAWhole) {
     }
     const CutScene pieces = cut(tiles, 9.0);
     ASSERT_EQ(pieces.mesh.size(), 1176u);
-    const BlockerTable table(pieces.scene, pieces.mesh);
+    const BlockerTable table(pieces.scene, pieces.mesh, find_plane_groups(pieces.scene));
     int may = 0;
     for (PatchIndex i = 0; i < pieces.mesh.size(); ++i)
         for (PatchIndex j = 0; j < pieces.mesh.size(); ++j) may += table.may_block(i, j);
@@ -132,7 +132,7 @@ TEST(BlockerTable, AWallInPiecesIsNoMoreInTheWayThanAWhole) {
 
 TEST(BlockerTable, NamesPairsWithABoxBetween) {
     const CutScene room = cut(room_with_box(), 0.1);
-    const BlockerTable table(room.scene, room.mesh);
+    const BlockerTable table(room.scene, room.mesh, find_plane_groups(room.scene));
     const auto patch_at = [&](const Vec3& p) {
         PatchIndex nearest = 0;
         for (PatchIndex i = 0; i < room.mesh.size(); ++i)

@@ -22,7 +22,7 @@ const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
 double exchange_between(const Polygon& p, const Polygon& q) {
     const CutScene both = cut(scene_of({p, q}), 1e9);
     EXPECT_EQ(both.mesh.size(), 2u);
-    return UnoccludedExchange(both.scene, both.mesh)(0, 1);
+    return UnoccludedExchange(both.scene, both.mesh, find_plane_groups(both.scene))(0, 1);
 }
 
 Polygon square() { return rectangle(Vec3::Zero(), x, y); }
@@ -37,7 +37,7 @@ Eigen::Matrix3d turn_to(const Vec3& normal) {
 
 TEST(UnoccludedExchange, IsExactlyZeroWithinASurfaceAndAPlane) {
     const CutScene floor = cut(scene_of({square(), rectangle(2.0 * x, x, y)}), 0.3);
-    const UnoccludedExchange exchange_of(floor.scene, floor.mesh);
+    const UnoccludedExchange exchange_of(floor.scene, floor.mesh, find_plane_groups(floor.scene));
     for (PatchIndex i = 0; i < floor.mesh.size(); ++i)
         for (PatchIndex j = 0; j < floor.mesh.size(); ++j) EXPECT_EQ(exchange_of(i, j), 0.0);
 }
@@ -62,7 +62,7 @@ TEST(UnoccludedExchange, IsExactlyZeroForBacks) {
 
 TEST(UnoccludedExchange, IsExactlyZeroForCoveredPatches) {
     const CutScene scene = cut(scene_of({square(), square(), rectangle(z, y, x)}), 0.5);
-    const UnoccludedExchange exchange_of(scene.scene, scene.mesh);
+    const UnoccludedExchange exchange_of(scene.scene, scene.mesh, find_plane_groups(scene.scene));
     for (PatchIndex i = 0; i < scene.mesh.first_of_surface[1]; ++i)
         for (PatchIndex j = scene.mesh.first_of_surface[2]; j < scene.mesh.size(); ++j)
             EXPECT_EQ(exchange_of(i, j), 0.0);
@@ -71,7 +71,8 @@ TEST(UnoccludedExchange, IsExactlyZeroForCoveredPatches) {
 TEST(UnoccludedExchange, MeetsClosedFormsOnFinelyCutPlates) {
     const CutScene plates =
         cut(scene_of({square(), rectangle(z, y, x), rectangle(Vec3::Zero(), y, z)}), 0.125);
-    const UnoccludedExchange exchange_of(plates.scene, plates.mesh);
+    const UnoccludedExchange exchange_of(plates.scene, plates.mesh,
+                                         find_plane_groups(plates.scene));
     const auto between = [&](SurfaceIndex s, SurfaceIndex t) {
         double sum = 0.0;
         const auto& first = plates.mesh.first_of_surface;
@@ -137,7 +138,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(UnoccludedExchange, DoesNotDependOnTheOrderOfThePair) {
     const double rounding = 1e-8;  // the contour integral's
     const CutScene cut_room = cut(room_with_box(), 0.3);
-    const UnoccludedExchange exchange_of(cut_room.scene, cut_room.mesh);
+    const UnoccludedExchange exchange_of(cut_room.scene, cut_room.mesh,
+                                         find_plane_groups(cut_room.scene));
     for (PatchIndex i = 0; i < cut_room.mesh.size(); ++i)
         for (PatchIndex j = i + 1; j < cut_room.mesh.size(); ++j) {
             const double forth = exchange_of(i, j);
