@@ -2,6 +2,7 @@
 
 #include "server/argument_hint.h"
 #include "server/check_command.h"
+#include "server/form_factors_command.h"
 #include "server/not_built.h"
 #include "server/solve_command.h"
 #include "server/version.h"
@@ -25,7 +26,7 @@ int fail(int code, const std::string& what) {
 }
 
 void refuse_commands_not_built(CLI::App& program) {
-    for (const char* name : {"form-factors", "chart", "selftest", "serve"})
+    for (const char* name : {"chart", "selftest", "serve"})
         program.add_subcommand(name)
             ->group("")
             ->prefix_command()
@@ -46,7 +47,9 @@ int run(int count, const char* const* arguments) {
     program.require_subcommand(1);
     SolveCommand solve;
     CheckCommand check;
+    FormFactorsCommand form_factors;
     CLI::App* const solve_asked = solve.add_to(program);
+    CLI::App* const factors_asked = form_factors.add_to(program);
     CLI::App* const check_asked = check.add_to(program);
     refuse_commands_not_built(program);
     try {
@@ -55,6 +58,7 @@ int run(int count, const char* const* arguments) {
         return answer(program, request, unknown_argument(program, count, arguments));
     }
     if (solve_asked->parsed()) return solve.run();
+    if (factors_asked->parsed()) return form_factors.run();
     if (check_asked->parsed()) return check.run();
     throw std::logic_error("a command that does nothing");
 }

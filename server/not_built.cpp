@@ -18,7 +18,6 @@ constexpr std::array lacks{
     Lack{"flux", "give the material an `exitance` or a `radiance`"},
     Lack{"hierarchical", "use `gauss-seidel` or `shooting`"},
     Lack{"accuracy", "set `patch_size` and `rays`"},
-    Lack{"form-factors", "use `solve` or `check`"},
     Lack{"chart", "use `solve` or `check`"},
     Lack{"selftest", "use `solve` or `check`"},
     Lack{"serve", "use `solve` or `check`"},

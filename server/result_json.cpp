@@ -1,6 +1,7 @@
 #include "server/result_json.h"
 
 #include "server/cameras_json.h"
+#include "server/form_factors_json.h"
 #include "server/scene_results.h"
 #include "server/sha256.h"
 #include "server/solve_json.h"
@@ -44,28 +45,6 @@ Json energy_of(const EnergyReport& energy) {
             {"backs", channels(energy.backs)},
             {"escaped", channels(energy.escaped)},
             {"defect", energy.defect}};
-}
-
-Json closure_of(const ClosureReport& closure) {
-    return {{"row_sum",
-             {{"min", closure.row_sum_min},
-              {"max", closure.row_sum_max},
-              {"mean", closure.row_sum_mean}}},
-            {"closure_max", closure.closure_max},
-            {"reciprocity_max", closure.reciprocity_max}};
-}
-
-Json form_factors_of(const FormFactorReport& form_factors) {
-    Json block = closure_of(form_factors.repaired);
-    block["rays"] = form_factors.rays;
-    block["open"] = form_factors.open;
-    block["repair"] = {{"before", closure_of(form_factors.measured)},
-                       {"after", closure_of(form_factors.repaired)}};
-    if (const auto& hemicube = form_factors.hemicube)
-        block["hemicube"] = {{"proximity", hemicube->proximity},
-                             {"visibility", hemicube->visibility},
-                             {"aliasing", hemicube->aliasing}};
-    return block;
 }
 
 Json convergence_of(const std::vector<ConvergenceStep>& steps) {
@@ -128,7 +107,7 @@ Json result_json(const Job& job, const Solution& solution, const RunReport& repo
                 {"error", error_of(solution.error)}};
     if (is_solved(solution)) {
         result["energy"] = energy_of(solution.energy);
-        result["form_factors"] = form_factors_of(solution.form_factors);
+        result["form_factors"] = form_factors_block(solution.form_factors);
     }
     result["convergence"] = convergence_of(solution.convergence);
     result["objects"] = object_results(job.scene, solution);

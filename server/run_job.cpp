@@ -1,11 +1,12 @@
 #include "server/run_job.h"
 
+#include "server/peak_memory.h"
+
 #include "server/exposure.h"
 #include "server/false_colour.h"
 #include "server/result_json.h"
 #include "solver/solve_scene.h"
 
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <chrono>
@@ -18,13 +19,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::uint64_t peak_memory() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    constexpr std::uint64_t kibibyte = 1024;  // what Linux counts in
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * kibibyte;
 }
 
 ImageReport report_of(const PictureRequest& request, ImageFormat format,

@@ -1,0 +1,165 @@
+#include "solver/view_factors.h"
+
+#include "solver/factor_rows.h"
+#include "solver/flaws.h"
+#include "solver/form_factors/hemicube_errors.h"
+#include "solver/form_factors/repair_closure.h"
+#include "solver/make_engine.h"
+#include "solver/scene/input_error.h"
+#include "solver/solve_plan.h"
+#include "solver/watch.h"
+
+#include <oneapi/tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double most_kept = 2147483648.0;  // [bytes]
+constexpr double kept_share = 0.5;          // of the memory limit
+constexpr double bytes_per_pair = 40.0;     // matrix, its transposed index, and room to grow
+constexpr double quadrature = 3e-7;         // relative error of an analytic factor [1]
+
+/// Sums rows of patches to one row of groups.
+class GroupSum {
+  public:
+    GroupSum(const FactorGroups& groups, const PatchMesh& mesh)
+        : groups_(groups), mesh_(mesh), power_(groups.areas.size()), variance_(power_.size()) {}
+
+    void add(const FactorRowView& row) {
+        const double area = mesh_.patches[row.i].area;
+        for (std::size_t k = 0; k < row.columns.size(); ++k) {
+            const std::uint32_t g = groups_.of_patch[row.columns[k]];
+            if (power_[g] == 0.0) touched_.push_back(g);
+            power_[g] += area * row.factors[k];
+            variance_[g] += area * area * row.variance[k];
+        }
+    }
+
+    GroupFactors finish(std::uint32_t from) {
+        std::sort(touched_.begin(), touched_.end());
+        touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+        GroupFactors result{from, {}, {}, {}};
+        const double area = groups_.areas[from];
+        for (const std::uint32_t g : touched_) {
+            const double factor = power_[g] / area;
+            // Within a group each pair was met from both ends, with one and the same error.
+            const double twice = g == from ? 2.0 : 1.0;
+            if (factor > 0.0) {
+                result.to.push_back(g);
+                result.factors.push_back(factor);
+                result.errors.push_back(
+                    std::hypot(std::sqrt(twice * variance_[g]) / area, quadrature * factor));
+            }
+            power_[g] = variance_[g] = 0.0;
+        }
+        touched_.clear();
+        return result;
+    }
+
+  private:
+    const FactorGroups& groups_;
+    const PatchMesh& mesh_;
+    std::vector<double> power_, variance_;
+    std::vector<std::uint32_t> touched_;
+};
+
+bool fits(const FormFactorEngine& engine, const PatchMesh& mesh, std::uint64_t memory_limit) {
+    const double n = static_cast<double>(mesh.size());
+    const double budget = std::min(most_kept, kept_share * static_cast<double>(memory_limit));
+    if (0.5 * n * n * bytes_per_pair <= budget) return true;
+    const double halves = engine.pairwise() ? 0.5 : 1.5;  // full rows stand beside joined ones
+    return halves * n * n * estimate_density(engine, mesh) * bytes_per_pair <= budget;
+}
+
+/// All pairs, repaired together; empty if the work was stopped.
+std::unique_ptr<FactorRows> keep_rows(const FormFactorEngine& engine, const Scene& scene,
+                                      const PatchMesh& mesh, Watch& watch,
+                                      ViewFactorReport& report) {
+    StopReason stopped = StopReason::tolerance;
+    ExchangeMatrix exchange = build_exchange(engine, scene, mesh, [&](double fraction) {
+        stopped = watch.step({Stage::form_factors, fraction, 0, 0.0});
+        return stopped == StopReason::tolerance;
+    });
+    report.form_factors.rays = exchange.rays;
+    if (!exchange.complete) {
+        report.status = status_of(stopped);
+        return nullptr;
+    }
+    report.form_factors.measured = exchange.measured;
+    repair_closure(exchange);
+    report.form_factors.repaired = measure_closure(exchange);
+    report.form_factors.open = std::any_of(exchange.escaped.begin(), exchange.escaped.end(),
+                                           [](double share) { return share > 0.0; });
+    return std::make_unique<KeptRows>(std::move(exchange));
+}
+
+}  // namespace
+
+ViewFactorSolver::ViewFactorSolver(const Scene& scene, const SolveSettings& settings,
+                                   Grouping grouping)
+    : scene_(scene) {
+    if (scene.surfaces.empty())
+        throw InputError("/objects", "nothing with an area is left to compute factors between");
+    Watch watch({}, std::nullopt);
+    settings_ = plan_solve(scene, settings).settings;
+    settings_.method = Method::shooting;  // its memory is that of rows, not of the matrix
+    check_memory(scene, estimate_patch_count(scene, *settings_.patch_size), settings_);
+    lines_ = find_mesh_lines(scene);
+    mesh_ = make_patches(scene, lines_, *settings_.patch_size);
+    check_memory(scene, mesh_.size(), settings_);
+    groups_ = make_factor_groups(scene, mesh_, grouping);
+    mesh_seconds_ = watch.lap();
+}
+
+ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFactors&)>& take,
+                                        const Observer& observe) const {
+    const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                      static_cast<std::size_t>(settings_.threads));
+    Watch watch(observe, settings_.time_limit);
+    ViewFactorReport report;
+    report.settings = settings_;
+    report.settings.method = Method::automatic;
+    report.patches = mesh_.size();
+    report.findings = find_flaws(scene_, lines_.overlaps);
+    report.seconds.mesh = mesh_seconds_;
+    const RayScene rays(scene_, lines_.overlaps);
+    const auto engine = make_engine(scene_, mesh_, rays, settings_);
+    report.streamed = !fits(*engine, mesh_, *settings_.memory_limit);
+    std::unique_ptr<FactorRows> rows;
+    if (report.streamed)
+        rows = std::make_unique<StreamedRows>(*engine, mesh_);
+    else
+        rows = keep_rows(*engine, scene_, mesh_, watch, report);
+    report.seconds.form_factors = watch.lap();
+    if (!rows) return report;
+    GroupSum sum(groups_, mesh_);
+    for (std::uint32_t g = 0; g < groups_.areas.size(); ++g) {
+        rows->visit(groups_.patches[g], [&](const FactorRowView& row) { sum.add(row); });
+        take(sum.finish(g));
+        const StopReason stopped =
+            watch.step({report.streamed ? Stage::form_factors : Stage::display,
+                        (g + 1.0) / static_cast<double>(groups_.areas.size()), 0, 0.0});
+        if (stopped != StopReason::tolerance) {
+            report.status = status_of(stopped);
+            break;
+        }
+    }
+    if (const auto* streamed = dynamic_cast<const StreamedRows*>(rows.get())) {
+        report.form_factors.rays = streamed->rays();
+        report.form_factors.open = streamed->open();
+        report.form_factors.measured = report.form_factors.repaired = streamed->closure();
+        report.form_factors.repaired.closure_max = 0.0;
+    }
+    if (settings_.engine == Engine::hemicube && report.status == Status::converged)
+        report.form_factors.hemicube =
+            estimate_hemicube_errors(scene_, mesh_, rays, hemicube_settings(settings_));
+    report.seconds.display = watch.lap();
+    return report;
+}
+
+}  // namespace patchlight
