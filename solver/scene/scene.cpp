@@ -23,17 +23,6 @@ double box_diagonal(std::span<const Vec3> points) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-void note(Scene& scene, const std::string& kind, ObjectIndex object, const std::string& detail,
-          const std::string& remedy) {
-    const std::string& name = scene.objects[object].name;
-    for (Finding& finding : scene.findings)
-        if (finding.kind == kind && finding.objects.front() == name) {
-            ++finding.count;
-            return;
-        }
-    scene.findings.push_back({kind, {name}, detail, remedy, 1});
-}
-
 std::vector<Vec3> without_repeats(std::span<const Vec3> corners, double size) {
     std::vector<Vec3> kept;
     for (const Vec3& p : corners)
@@ -74,6 +63,18 @@ std::vector<std::array<std::uint32_t, 3>> cut(std::span<const Vec2> flat) {
 
 }  // namespace
 
+void note(Scene& scene, ObjectIndex object, const Finding& finding) {
+    Object& noted = scene.objects[object];
+    for (const std::size_t number : noted.findings)
+        if (scene.findings[number].kind == finding.kind) {
+            ++scene.findings[number].count;
+            return;
+        }
+    noted.findings.push_back(scene.findings.size());
+    scene.findings.push_back(finding);
+    scene.findings.back().objects = {noted.name};
+}
+
 void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::uint32_t face,
                  std::span<const Vec3> given, const std::string& pointer) {
     if (given.size() > most_corners)
@@ -83,8 +84,11 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
     std::vector<Vec3> corners = without_repeats(given, size);
     const Vec3 area = corners.size() < 3 ? Vec3(Vec3::Zero()) : vector_area(corners);
     if (!(area.norm() > least_area * size * size)) {
-        note(scene, "degenerate-dropped", object, "a polygon without area was left out",
-             "remove it, or give it corners that span an area");
+        note(scene, object,
+             {"degenerate-dropped",
+              {},
+              "a polygon without area was left out",
+              "remove it, or give it corners that span an area"});
         return;
     }
     Surface surface;
@@ -104,9 +108,11 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
         add_surface(scene, surface, std::move(corners));
         return;
     }
-    note(scene, "non-planar", object,
-         "a polygon off its plane by more than 1e-6 of its size was cut into triangles",
-         "give triangles, or corners that lie in one plane");
+    note(scene, object,
+         {"non-planar",
+          {},
+          "a polygon off its plane by more than 1e-6 of its size was cut into triangles",
+          "give triangles, or corners that lie in one plane"});
     for (const auto& t : triangles)
         add_surface(scene, surface, {corners[t[0]], corners[t[1]], corners[t[2]]});
 }

@@ -22,7 +22,8 @@ struct Material {
 };
 
 struct Object {
-    std::string name;  // path such as "chairs/chair-1"
+    std::string name;                     // path such as "chairs/chair-1"
+    std::vector<std::size_t> findings{};  // numbers of those in Scene::findings noted of it alone
 };
 
 enum class Side : std::uint8_t { front, back };
@@ -62,6 +63,10 @@ struct Scene {
     std::vector<SensorGrid> grids;
     std::vector<Finding> findings;  // what reading the geometry brought to light
 };
+
+/// Notes a finding about one object; met again, it is counted. The cost does not grow with the
+/// number of findings.
+void note(Scene& scene, ObjectIndex object, const Finding& finding);
 
 /// Adds a polygon as it was given: one surface if it is planar to 1e-6 of its size, else the
 /// triangles it is cut into (a quad along corners 0-2); each once more, reversed, if the material

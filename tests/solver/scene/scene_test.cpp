@@ -103,6 +103,21 @@ TEST(AddPolygon, DropsPolygonsWithoutAreaAndCountsThem) {
     EXPECT_EQ(scene.findings[0].count, crumbs.size());
 }
 
+TEST(AddPolygon, CountsFindingsObjectByObjectWhateverTheOrder) {
+    Scene scene = empty_scene();
+    scene.objects = {{"a"}, {"b"}, {"a"}};
+    const Polygon crumb = flat({{0, 0}, {1, 1}, {2, 2}});
+    for (const ObjectIndex object : {0u, 1u, 0u, 2u, 1u, 0u})
+        add_polygon(scene, object, white, 0, crumb, "/objects/0");
+    add_polygon(scene, 1, white, 0, warped_square(0.1), "/objects/1");
+    ASSERT_EQ(scene.findings.size(), 4u);  // the two objects called "a" are not confused
+    EXPECT_EQ(scene.findings[0].count, 3u);
+    EXPECT_EQ(scene.findings[1].count, 2u);
+    EXPECT_EQ(scene.findings[2].count, 1u);
+    EXPECT_EQ(scene.findings[3].kind, "non-planar");
+    EXPECT_EQ(scene.findings[3].objects, std::vector<std::string>{"b"});
+}
+
 TEST(AddPolygon, KeepsANeedle) {
     EXPECT_EQ(scene_of(flat({{0, 0}, {1, 0}, {1, 1e-6}, {0, 1e-6}})).surfaces.size(), 1u);
 }
