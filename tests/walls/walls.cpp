@@ -54,6 +54,10 @@ const std::vector<Door> doors = {
     {"solver/settings.h", {}},
     {"solver/solution.h", mesh + Paths{"solver/settings.h"}},
     {"solver/", Paths{"solver/"} + numbers + system_calls},
+    {"server/files/",
+     Paths{"server/files/", "server/json_", "server/transform_json.h", "server/unique_names.h",
+           "server/wording.h", "solver/scene/", "nlohmann/"} +
+         numbers},
     {"server/", Paths{"server/", "solver/", "raster/", "nlohmann/", "CLI/", "openssl/", "httplib.h",
                       "spdlog/"} +
                     numbers + system_calls + network},

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "server/files/imported_geometry.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace patchlight::server {
+
+/// The materials of an MTL file: Kd is the reflectance, Ke the radiance; textures and transparency
+/// are noticed; what else there is has no meaning for diffuse light. `file` is how messages
+/// call it. Throws InputError at "file:line".
+std::vector<FileMaterial> read_mtl(std::string_view text, const std::string& file);
+
+}  // namespace patchlight::server
