@@ -1,5 +1,6 @@
 #include "server/cameras_json.h"
 
+#include "server/input_errors.h"
 #include "server/json_vectors.h"
 #include "server/unique_names.h"
 #include "server/wording.h"
@@ -85,14 +86,17 @@ std::vector<NamedCamera> read_cameras(const JsonValue& list, double metres) {
         list.reject(std::to_string(list.size()) + " cameras are too many; the limit is " +
                     std::to_string(most_cameras));
     UniqueNames names;
+    FaultList faults;
     std::vector<NamedCamera> cameras;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-        const JsonValue block = list[k];
-        const raster::Camera camera = read_camera(block, metres);
-        const auto name = block.find("name");
-        cameras.push_back({name ? name->name() : name_of_unnamed(k), camera});
-        names.claim(cameras.back().name, name ? *name : block);
-    }
+    for (std::size_t k = 0; k < list.size(); ++k)
+        faults.attempt([&] {
+            const JsonValue block = list[k];
+            const raster::Camera camera = read_camera(block, metres);
+            const auto name = block.find("name");
+            cameras.push_back({name ? name->name() : name_of_unnamed(k), camera});
+            names.claim(cameras.back().name, name ? *name : block);
+        });
+    faults.throw_if_any();
     return cameras;
 }
 

@@ -12,6 +12,7 @@ namespace patchlight::server {
 constexpr int most_pixels_along_an_edge = 16384;
 
 /// The block `cameras` of a scene. `metres` is the length of one unit of the scene [m].
+/// Throws InputErrors.
 std::vector<NamedCamera> read_cameras(const JsonValue& list, double metres);
 
 /// A camera that sees the whole scene.

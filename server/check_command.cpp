@@ -13,7 +13,10 @@ namespace patchlight::server {
 CLI::App* CheckCommand::add_to(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("check", "Say whether a scene is right and what it would cost");
-    command->add_option("SCENE", scene_, "scene JSON; - for standard input")->required();
+    command
+        ->add_option("SCENE", scene_,
+                     "scene JSON, or .obj, .gltf, .glb, .stl; - for standard input")
+        ->required();
     settings_.add_to(*command);
     return command;
 }

@@ -12,6 +12,8 @@
 
 #include <iostream>
 #include <new>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 namespace patchlight::server {
@@ -19,6 +21,15 @@ namespace {
 
 constexpr int failed_here = 1;
 constexpr int wrong_input = 2;
+
+/// Each thing that is wrong on a line of its own.
+int refuse(const WrongInput& error) {
+    std::istringstream lines(error.what());
+    for (std::string line; std::getline(lines, line);)
+        std::cerr << "patchlight: error: " << line << "\n";
+    std::cerr.flush();
+    return wrong_input;
+}
 
 int fail(int code, const std::string& what) {
     std::cerr << "patchlight: error: " << what << std::endl;
@@ -71,7 +82,7 @@ int run_command_line(int count, const char* const* arguments) {
         std::cout.flush();
         return std::cout ? code : fail(failed_here, "standard output cannot be written to");
     } catch (const WrongInput& error) {
-        return fail(wrong_input, error.what());
+        return refuse(error);
     } catch (const std::bad_alloc&) {
         return fail(failed_here, "out of memory");
     } catch (const std::exception& error) {

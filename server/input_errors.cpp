@@ -12,7 +12,8 @@ std::vector<InputFault> faults_of(const InputError& error) {
 void FaultList::add(const InputError& error) {
     // The same mistake may be met again, by way of each instance of one definition.
     for (InputFault& fault : faults_of(error))
-        if (faults_.size() < most && std::find(faults_.begin(), faults_.end(), fault) == faults_.end())
+        if (faults_.size() < most &&
+            std::find(faults_.begin(), faults_.end(), fault) == faults_.end())
             faults_.push_back(std::move(fault));
 }
 

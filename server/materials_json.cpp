@@ -36,22 +36,32 @@ Material read_material(const std::string& name, const JsonValue& block) {
 
 }  // namespace
 
-std::vector<Material> read_materials(const JsonValue& block) {
+std::vector<Material> read_materials(const JsonValue& block, FaultList& faults) {
     std::vector<Material> materials;
     block.for_each_member([&](const std::string& name, const JsonValue& material) {
-        material.require_name(name);
-        materials.push_back(read_material(name, material));
+        Material read;
+        read.name = name;
+        faults.attempt([&] {
+            material.require_name(name);
+            read = read_material(name, material);
+        });
+        materials.push_back(std::move(read));
     });
     return materials;
 }
 
-MaterialIndex find_material(const std::vector<Material>& materials, const JsonValue& name) {
+std::optional<MaterialIndex> find_material(std::span<const Material> materials,
+                                           const std::string& name) {
     const auto by_name = [](const Material& material, const std::string& wanted) {
         return material.name < wanted;
     };
-    const auto found = std::lower_bound(materials.begin(), materials.end(), name.text(), by_name);
-    if (found != materials.end() && found->name == name.text())
-        return static_cast<MaterialIndex>(found - materials.begin());
+    const auto found = std::lower_bound(materials.begin(), materials.end(), name, by_name);
+    if (found == materials.end() || found->name != name) return std::nullopt;
+    return static_cast<MaterialIndex>(found - materials.begin());
+}
+
+MaterialIndex find_material(std::span<const Material> materials, const JsonValue& name) {
+    if (const auto found = find_material(materials, name.text())) return *found;
     std::vector<std::string> known;
     for (const Material& material : materials) known.push_back(material.name);
     name.reject("no material " + in_quotes(name.text()) + suggestion(name.text(), known));

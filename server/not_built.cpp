@@ -12,19 +12,11 @@ struct Lack {
 
 /// A line goes when its feature comes.
 constexpr std::array lacks{
-    Lack{"file", "give the geometry as `polygon` or `mesh`"},
-    Lack{"definitions", "give the geometry as `polygon` or `mesh` where it stands"},
-    Lack{"instance", "give the geometry as `polygon` or `mesh` where it stands"},
-    Lack{"flux", "give the material an `exitance` or a `radiance`"},
     Lack{"hierarchical", "use `gauss-seidel` or `shooting`"},
     Lack{"accuracy", "set `patch_size` and `rays`"},
     Lack{"chart", "use `solve` or `check`"},
     Lack{"selftest", "use `solve` or `check`"},
     Lack{"serve", "use `solve` or `check`"},
-    Lack{".obj", "give the geometry as `mesh` in a scene JSON"},
-    Lack{".gltf", "give the geometry as `mesh` in a scene JSON"},
-    Lack{".glb", "give the geometry as `mesh` in a scene JSON"},
-    Lack{".stl", "give the geometry as `mesh` in a scene JSON"},
 };
 
 }  // namespace

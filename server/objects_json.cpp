@@ -1,92 +1,74 @@
 #include "server/objects_json.h"
 
-#include "server/geometry_json.h"
-#include "server/materials_json.h"
-#include "server/not_built.h"
-#include "server/transform_json.h"
-#include "server/unique_names.h"
-#include "server/wording.h"
+#include "server/definitions.h"
+#include "server/file_objects.h"
+#include "server/material_names.h"
+#include "server/object_reader.h"
+#include "server/polygon_count.h"
 
-#include <optional>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace patchlight::server {
 namespace {
 
-/// What an object has from those it is a child of.
-struct Heritage {
-    std::string path;
-    std::optional<MaterialIndex> material;
-    Eigen::Affine3d to_scene = Eigen::Affine3d::Identity();
-};
+using Directory = std::optional<std::filesystem::path>;
 
-class ObjectReader {
-  public:
-    explicit ObjectReader(Scene& scene) : scene_(scene) {}
-
-    void read_list(const JsonValue& list, const Heritage& parent) {
-        if (list.size() == 0) list.reject("must have at least one object");
-        for (std::size_t k = 0; k < list.size(); ++k) read_object(list[k], k, parent);
+/// A definition that no object uses is read all the same, as a mistake in it would else show much
+/// later.
+void check_unused(const std::set<std::string>& used, const Definitions& definitions,
+                  const std::vector<Material>& declared, const Directory& directory,
+                  FaultList& faults) {
+    Scene elsewhere;
+    elsewhere.materials = declared;
+    MaterialNames names(elsewhere);
+    FileObjects files(directory, 1.0, elsewhere, names);
+    PolygonCount count(definitions, files);
+    Heritage root;
+    root.material = names.add({});  // what the object that uses it would bring
+    for (const std::string& name : definitions.names()) {
+        if (used.contains(name)) continue;
+        const nlohmann::json stand_in{{"name", name}, {"instance", name}};
+        const JsonValue object(stand_in);
+        faults.attempt([&] {
+            if (count.of(object) > PolygonCount::most)
+                definitions.body(name).reject("has more than " +
+                                              std::to_string(PolygonCount::most) + " polygons");
+            ObjectReader({declared, definitions, files, names}, elsewhere, faults)
+                .read_body(object, root);
+        });
     }
-
-  private:
-    void read_object(const JsonValue& object, std::size_t k, const Heritage& parent) {
-        object.require_object({"name", "material", "polygon", "mesh", "file", "instance",
-                               "children", "flux", "translation", "rotation", "scale", "matrix"});
-        require_one_content(object);
-        refuse_not_built(object, {"file", "instance", "flux"});
-        const Heritage own = heritage(object, k, parent);
-        if (const auto children = object.find("children"))
-            read_list(*children, own);
-        else
-            read_geometry(object, own);
-    }
-
-    static void require_one_content(const JsonValue& object) {
-        std::string found;
-        for (const char* content : {"polygon", "mesh", "children", "file", "instance"}) {
-            if (!object.has(content)) continue;
-            if (!found.empty())
-                object.reject("has both '" + found + "' and '" + content +
-                              "'; an object carries exactly one");
-            found = content;
-        }
-        if (found.empty()) object.reject("needs one of 'polygon', 'mesh', 'children'");
-    }
-
-    Heritage heritage(const JsonValue& object, std::size_t k, const Heritage& parent) {
-        Heritage own = parent;
-        if (!own.path.empty()) own.path += '/';
-        const auto name = object.find("name");
-        own.path += name ? name->name() : name_of_unnamed(k);
-        names_.claim(own.path, name ? *name : object);
-        if (const auto material = object.find("material"))
-            own.material = find_material(scene_.materials, *material);
-        own.to_scene = parent.to_scene * read_transform(object);
-        return own;
-    }
-
-    void read_geometry(const JsonValue& object, const Heritage& own) {
-        if (!own.material)
-            object.reject("needs a 'material', of its own or from an object above it");
-        const Placement placement{static_cast<ObjectIndex>(scene_.objects.size()), *own.material,
-                                  own.to_scene};
-        scene_.objects.push_back({own.path});
-        if (const auto polygon = object.find("polygon")) read_polygon(*polygon, placement, scene_);
-        if (const auto mesh = object.find("mesh")) read_mesh(*mesh, placement, scene_);
-    }
-
-    Scene& scene_;
-    UniqueNames names_;
-};
+}
 
 }  // namespace
 
-void read_objects(const JsonValue& list, double metres, Scene& scene) {
+void read_objects(const JsonValue& document, double metres, const Directory& directory,
+                  Scene& scene, FaultList& faults) {
+    const JsonValue list = document.at("objects");
+    if (list.size() == 0) list.reject("must have at least one object");
+    const Definitions definitions(document);
+    MaterialNames names(scene);
+    const std::vector<Material> declared = scene.materials;
+    FileObjects files(directory, metres, scene, names);
+    PolygonCount count(definitions, files);
+    const ObjectSources sources{declared, definitions, files, names};
+    ObjectReader reader(sources, scene, faults);
     Heritage root;
     root.to_scene.linear() *= metres;
-    ObjectReader(scene).read_list(list, root);
-    if (scene.surfaces.empty()) list.reject("no polygon of the scene has an area");
+    std::size_t polygons = 0;
+    for (std::size_t k = 0; k < list.size(); ++k)
+        faults.attempt([&] {
+            const JsonValue object = list[k];
+            polygons += count.of(object);
+            if (polygons > PolygonCount::most)
+                object.reject("brings the scene to more than " +
+                              std::to_string(PolygonCount::most) + " polygons, the limit");
+            reader.read_object(object, k, root);
+        });
+    check_unused(reader.used_definitions(), definitions, declared, directory, faults);
+    if (faults.size() == 0 && scene.surfaces.empty())
+        list.reject("no polygon of the scene has an area");
 }
 
 }  // namespace patchlight::server

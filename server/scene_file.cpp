@@ -1,10 +1,11 @@
 #include "server/scene_file.h"
 
+#include "server/files/geometry_file.h"
 #include "server/json_document.h"
-#include "server/not_built.h"
 #include "server/scene_json.h"
 #include "server/wrong_input.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -37,21 +38,37 @@ std::string read_file(const std::string& path) {
     return read_bytes(file);
 }
 
-void refuse_geometry_file(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    for (char& letter : ending)
-        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-    if (const std::string why = why_not_built(ending); !why.empty())
-        throw WrongInput(path + ": " + why);
+/// Such as will do for a name.
+std::string name_of(const std::filesystem::path& path) {
+    std::string name = path.stem().string();
+    const auto is_control = [](unsigned char byte) { return byte < 0x20 || byte == 0x7F; };
+    std::replace_if(name.begin(), name.end(), is_control, ' ');
+    return name;
+}
+
+/// A geometry file as a scene of that one file. Places in it say all: no pointers.
+Job read_geometry_scene(const std::filesystem::path& path) {
+    const nlohmann::json scene{
+        {"version", 1},
+        {"objects", {{{"name", name_of(path)}, {"file", path.filename().string()}}}}};
+    try {
+        return read_scene(scene, {path.parent_path()});
+    } catch (const InputError& error) {
+        const bool is_in_file = error.pointer() == "/objects/0/file";
+        const std::string directory = (path.parent_path() / "").string();
+        throw WrongInput((is_in_file ? directory : path.string() + ": ") + error.what());
+    }
 }
 
 }  // namespace
 
 Job read_scene_file(const std::string& path) {
-    refuse_geometry_file(path);
+    if (is_geometry_file(path)) return read_geometry_scene(path);
     const std::string bytes = read_file(path);
+    SceneSource source;
+    if (path != "-") source.directory = std::filesystem::path(path).parent_path();
     Job job;
-    naming_file(shown_path(path), [&] { job = read_scene_text(bytes); });
+    naming_file(shown_path(path), [&] { job = read_scene_text(bytes, source); });
     return job;
 }
 

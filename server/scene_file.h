@@ -6,7 +6,8 @@
 
 namespace patchlight::server {
 
-/// Reads the scene of a file, or of standard input if the path is "-". Throws WrongInput.
+/// Reads the scene of a file, or of standard input if the path is "-". A geometry file is a scene
+/// of one object, named after it. Throws WrongInput.
 Job read_scene_file(const std::string& path);
 
 /// How messages call it.

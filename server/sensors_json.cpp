@@ -1,5 +1,6 @@
 #include "server/sensors_json.h"
 
+#include "server/input_errors.h"
 #include "server/json_vectors.h"
 #include "server/unique_names.h"
 
@@ -105,7 +106,9 @@ class SensorReader {
 
 void read_sensors(const JsonValue& list, double metres, Scene& scene) {
     SensorReader reader(metres, scene);
-    for (std::size_t k = 0; k < list.size(); ++k) reader.read(list[k], k);
+    FaultList faults;
+    for (std::size_t k = 0; k < list.size(); ++k) faults.attempt([&] { reader.read(list[k], k); });
+    faults.throw_if_any();
 }
 
 }  // namespace patchlight::server

@@ -1,5 +1,6 @@
 #include "server/settings_options.h"
 
+#include "server/input_errors.h"
 #include "server/json_value.h"
 #include "server/solve_json.h"
 #include "server/wording.h"
@@ -77,8 +78,13 @@ void SettingsOptions::lay_over(Job& job) const {
     try {
         read_solve(JsonValue(block_), job.units.metres, job.settings);
     } catch (const InputError& error) {
-        const std::string pointer = "/solve" + error.pointer();
-        throw WrongInput(culprit(pointer).value_or(pointer) + ": " + error.what());
+        std::string lines;
+        for (const InputFault& fault : faults_of(error)) {
+            const std::string pointer = "/solve" + fault.pointer;
+            lines += (lines.empty() ? "" : "\n") + culprit(pointer).value_or(pointer) + ": " +
+                     fault.detail;
+        }
+        throw WrongInput(lines);
     }
 }
 

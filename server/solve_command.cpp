@@ -46,7 +46,10 @@ CLI::App* SolveCommand::add_to(CLI::App& program) {
     CLI::App* command =
         program.add_subcommand("solve", "Solve a scene; write pictures and results");
     CLI::Option* scene =
-        command->add_option("SCENE", scene_, "scene JSON; - for standard input")->required();
+        command
+            ->add_option("SCENE", scene_,
+                         "scene JSON, or .obj, .gltf, .glb, .stl; - for standard input")
+            ->required();
     CLI::Option* image = command->add_option("--image", outputs_.images,
                                              "picture to write: .png, .exr or .pfm; may repeat");
     image->type_name("FILE")->take_all()->expected(1)->allow_extra_args(false);

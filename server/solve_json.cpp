@@ -1,5 +1,6 @@
 #include "server/solve_json.h"
 
+#include "server/input_errors.h"
 #include "server/not_built.h"
 #include "server/wording.h"
 
@@ -63,13 +64,48 @@ void put(nlohmann::ordered_json& block, const char* key, const std::optional<Num
     if (number) block[key] = *number;
 }
 
-void read_limits(const JsonValue& block, SolveSettings& settings) {
-    if (const auto time_limit = block.find("time_limit"))
-        settings.time_limit = time_limit->number(above_zero);
-    if (const auto memory_limit = block.find("memory_limit")) {
-        settings.memory_limit = memory_limit->unsigned_number();
-        if (*settings.memory_limit == 0) memory_limit->reject("must be above 0");
+/// Reads a block key by key, so that what is wrong with one does not hide what is with another.
+class KeyReader {
+  public:
+    explicit KeyReader(const JsonValue& block) : block_(block) {}
+
+    template <typename Read>
+    void operator()(const char* key, const Read& read) {
+        if (const auto value = block_.find(key)) faults_.attempt([&] { read(*value); });
     }
+    void throw_if_any() const { faults_.throw_if_any(); }
+
+  private:
+    const JsonValue& block_;
+    FaultList faults_;
+};
+
+void read_sampling(KeyReader& each, double metres, SolveSettings& settings) {
+    each("patch_size",
+         [&](const JsonValue& value) { settings.patch_size = read_patch_size(value, metres); });
+    each("rays", [&](const JsonValue& value) {
+        settings.rays = static_cast<int>(value.whole_number(1, most_rays));
+    });
+    each("hemicube_resolution", [&](const JsonValue& value) {
+        settings.hemicube_resolution =
+            static_cast<int>(value.whole_number(2, most_hemicube_cells));
+    });
+    each("seed", [&](const JsonValue& value) { settings.seed = value.unsigned_number(); });
+}
+
+void read_limits(KeyReader& each, SolveSettings& settings) {
+    each("tolerance",
+         [&](const JsonValue& value) { settings.tolerance = value.number(between_zero_and_one); });
+    each("max_iterations", [&](const JsonValue& value) {
+        settings.max_iterations =
+            static_cast<int>(value.whole_number(1, std::numeric_limits<int>::max()));
+    });
+    each("time_limit",
+         [&](const JsonValue& value) { settings.time_limit = value.number(above_zero); });
+    each("memory_limit", [&](const JsonValue& value) {
+        settings.memory_limit = value.unsigned_number();
+        if (*settings.memory_limit == 0) value.reject("must be above 0");
+    });
 }
 
 }  // namespace
@@ -78,25 +114,15 @@ void read_solve(const JsonValue& block, double metres, SolveSettings& settings) 
     block.require_object({"solver", "form_factors", "accuracy", "patch_size", "rays",
                           "hemicube_resolution", "tolerance", "max_iterations", "ambient", "seed",
                           "time_limit", "memory_limit"});
-    refuse_not_built(block, {"accuracy"});
-    if (const auto solver = block.find("solver")) settings.method = read_choice(*solver, methods);
-    if (const auto engine = block.find("form_factors"))
-        settings.engine = read_choice(*engine, engines);
-    if (const auto patch_size = block.find("patch_size"))
-        settings.patch_size = read_patch_size(*patch_size, metres);
-    if (const auto rays = block.find("rays"))
-        settings.rays = static_cast<int>(rays->whole_number(1, most_rays));
-    if (const auto resolution = block.find("hemicube_resolution"))
-        settings.hemicube_resolution =
-            static_cast<int>(resolution->whole_number(2, most_hemicube_cells));
-    if (const auto ambient = block.find("ambient")) settings.ambient = ambient->boolean();
-    if (const auto tolerance = block.find("tolerance"))
-        settings.tolerance = tolerance->number(between_zero_and_one);
-    if (const auto iterations = block.find("max_iterations"))
-        settings.max_iterations =
-            static_cast<int>(iterations->whole_number(1, std::numeric_limits<int>::max()));
-    if (const auto seed = block.find("seed")) settings.seed = seed->unsigned_number();
-    read_limits(block, settings);
+    KeyReader each(block);
+    each("accuracy", [&](const JsonValue&) { refuse_not_built(block, {"accuracy"}); });
+    each("solver", [&](const JsonValue& value) { settings.method = read_choice(value, methods); });
+    each("form_factors",
+         [&](const JsonValue& value) { settings.engine = read_choice(value, engines); });
+    each("ambient", [&](const JsonValue& value) { settings.ambient = value.boolean(); });
+    read_sampling(each, metres, settings);
+    read_limits(each, settings);
+    each.throw_if_any();
 }
 
 nlohmann::ordered_json solve_block(const SolveSettings& settings) {

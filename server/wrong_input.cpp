@@ -1,5 +1,6 @@
 #include "server/wrong_input.h"
 
+#include "server/input_errors.h"
 #include "server/json_document.h"
 
 namespace patchlight::server {
@@ -14,8 +15,12 @@ void naming_file(const std::string& file, const std::function<void()>& work) {
         if (!error.pointer().empty()) place += ": " + error.pointer();
         throw WrongInput(place + ": " + error.what());
     } catch (const InputError& error) {
-        const std::string place = error.pointer().empty() ? "" : ": " + error.pointer();
-        throw WrongInput(file + place + ": " + error.what());
+        std::string lines;
+        for (const InputFault& fault : faults_of(error)) {
+            const std::string place = fault.pointer.empty() ? "" : ": " + fault.pointer;
+            lines += (lines.empty() ? "" : "\n") + file + place + ": " + fault.detail;
+        }
+        throw WrongInput(lines);
     }
 }
 

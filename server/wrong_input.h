@@ -6,7 +6,8 @@
 
 namespace patchlight::server {
 
-/// What a user of the command line has to put right, said in full, with the file it is about.
+/// What a user of the command line has to put right, said in full, with the file it is about: one
+/// line for each thing.
 class WrongInput : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

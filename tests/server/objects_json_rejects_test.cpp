@@ -44,13 +44,6 @@ TEST(ObjectsJson, UnknownKeysOfAnObjectAreRefused) {
     expect_square_rejected(R"("polgon": [])", "/polgon", "did you mean 'polygon'?");
 }
 
-TEST(ObjectsJson, WhatIsNotBuiltYetIsRefused) {
-    expect_object_rejected(R"("file": "room.obj")", "/file", "`file` is not built yet");
-    expect_object_rejected(R"("instance": "chair")", "/instance", "`instance` is not built yet");
-    expect_square_rejected(R"("flux": 100)", "/flux", "`flux` is not built yet");
-    expect_rejected(scene_with("definitions", "{}"), "/definitions", "not built yet");
-}
-
 TEST(ObjectsJson, EveryPolygonNeedsAKnownMaterial) {
     expect_rejected(scene_with_object("{" + unit_square + "}"), "/objects/0", "'material'");
     expect_rejected(scene_with_object(R"({"material": "whit", )" + unit_square + "}"),

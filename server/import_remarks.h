@@ -1,0 +1,30 @@
+#pragma once
+
+#include "server/files/imported_geometry.h"
+#include "solver/scene/finding.h"
+
+#include <string>
+#include <vector>
+
+namespace patchlight::server {
+
+/// What became of the materials of a geometry file on their way into a scene: one finding of each
+/// kind that names them all, however many there are.
+class ImportRemarks {
+  public:
+    /// For each material that is taken from the file.
+    void look_at(const FileMaterial& material);
+
+    /// Of the object `path` that names `file`.
+    std::vector<Finding> findings(const std::string& path, const std::string& file) const;
+
+  private:
+    using Names = std::vector<std::string>;  // of materials
+
+    Names without_reflectance_;
+    Names too_bright_;
+    Names textured_;
+    Names transparent_;
+};
+
+}  // namespace patchlight::server
