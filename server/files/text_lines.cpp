@@ -31,7 +31,8 @@ TextLines::TextLines(std::string_view text, std::string file)
 /// Makes the next line the statement, as it stands.
 void TextLines::read_line() {
     const std::size_t end = std::min(text_.find('\n'), text_.size());
-    statement_ = trimmed(text_.substr(0, std::min(end, text_.find('#'))));
+    const std::string_view line = text_.substr(0, end);
+    statement_ = trimmed(line.substr(0, line.find('#')));
     text_.remove_prefix(std::min(end + 1, text_.size()));
     ++lines_read_;
 }
