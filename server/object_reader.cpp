@@ -1,6 +1,5 @@
 #include "server/object_reader.h"
 
-#include "server/flux.h"
 #include "server/geometry_json.h"
 #include "server/materials_json.h"
 #include "server/transform_json.h"
@@ -45,8 +44,7 @@ void ObjectReader::read_body(const JsonValue& body, Heritage own) {
     const std::size_t faults_before = faults_.size();
     read_content(body, own);
     const auto flux = body.find("flux");
-    if (flux && faults_.size() == faults_before)
-        spread_flux(*flux, own.path, first, scene_, sources_.materials);
+    if (flux && faults_.size() == faults_before) sources_.lamps.spread(*flux, own.path, first);
 }
 
 void ObjectReader::read_children(const JsonValue& list, const Heritage& parent) {

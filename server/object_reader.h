@@ -2,10 +2,10 @@
 
 #include "server/definitions.h"
 #include "server/file_objects.h"
+#include "server/flux.h"
 #include "server/heritage.h"
 #include "server/input_errors.h"
 #include "server/json_value.h"
-#include "server/material_names.h"
 #include "server/unique_names.h"
 #include "solver/scene/scene.h"
 
@@ -20,7 +20,7 @@ struct ObjectSources {
     std::span<const Material> declared;  // materials that objects may name
     const Definitions& definitions;
     FileObjects& files;
-    MaterialNames& materials;
+    FluxSpreader& lamps;
 };
 
 /// Puts objects and all that is below them into a scene.

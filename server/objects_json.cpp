@@ -24,6 +24,7 @@ void check_unused(const std::set<std::string>& used, const Definitions& definiti
     elsewhere.materials = declared;
     MaterialNames names(elsewhere);
     FileObjects files(directory, 1.0, elsewhere, names);
+    FluxSpreader lamps(elsewhere, names);
     PolygonCount count(definitions, files);
     Heritage root;
     root.material = names.add({});  // what the object that uses it would bring
@@ -35,7 +36,7 @@ void check_unused(const std::set<std::string>& used, const Definitions& definiti
             if (count.of(object) > PolygonCount::most)
                 definitions.body(name).reject("has more than " +
                                               std::to_string(PolygonCount::most) + " polygons");
-            ObjectReader({declared, definitions, files, names}, elsewhere, faults)
+            ObjectReader({declared, definitions, files, lamps}, elsewhere, faults)
                 .read_body(object, root);
         });
     }
@@ -52,7 +53,8 @@ void read_objects(const JsonValue& document, double metres, const Directory& dir
     const std::vector<Material> declared = scene.materials;
     FileObjects files(directory, metres, scene, names);
     PolygonCount count(definitions, files);
-    const ObjectSources sources{declared, definitions, files, names};
+    FluxSpreader lamps(scene, names);
+    const ObjectSources sources{declared, definitions, files, lamps};
     ObjectReader reader(sources, scene, faults);
     Heritage root;
     root.to_scene.linear() *= metres;
