@@ -44,7 +44,8 @@ void ObjectReader::read_body(const JsonValue& body, Heritage own) {
     const std::size_t faults_before = faults_.size();
     read_content(body, own);
     const auto flux = body.find("flux");
-    if (flux && faults_.size() == faults_before) sources_.lamps.spread(*flux, own.path, first);
+    const bool is_complete = faults_.size() == faults_before && instancing_ == Instancing::place;
+    if (flux && is_complete) sources_.lamps.spread(*flux, own.path, first);
 }
 
 void ObjectReader::read_children(const JsonValue& list, const Heritage& parent) {
@@ -56,14 +57,21 @@ void ObjectReader::read_children(const JsonValue& list, const Heritage& parent) 
 void ObjectReader::read_content(const JsonValue& body, const Heritage& own) {
     if (const auto children = body.find("children")) return read_children(*children, own);
     if (const auto file = body.find("file")) return sources_.files.add(*file, own, paths_);
-    if (const auto instance = body.find("instance")) {
-        used_definitions_.insert(instance->text());
-        const JsonValue definition = sources_.definitions.body(*instance);
-        definition.require_object({"material", "polygon", "mesh", "file", "instance", "children",
-                                   "flux", "translation", "rotation", "scale", "matrix"});
-        return read_body(definition, own);
-    }
+    if (const auto instance = body.find("instance")) return read_instance(*instance, own);
     read_shape(body, own);
+}
+
+void ObjectReader::read_instance(const JsonValue& instance, const Heritage& own) {
+    const JsonValue definition = sources_.definitions.body(instance);
+    if (instancing_ == Instancing::check) return;
+    used_definitions_.insert(instance.text());
+    read_definition(definition, own);
+}
+
+void ObjectReader::read_definition(const JsonValue& body, const Heritage& own) {
+    body.require_object({"material", "polygon", "mesh", "file", "instance", "children", "flux",
+                         "translation", "rotation", "scale", "matrix"});
+    read_body(body, own);
 }
 
 void ObjectReader::read_shape(const JsonValue& body, const Heritage& own) {

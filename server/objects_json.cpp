@@ -15,8 +15,8 @@ namespace {
 
 using Directory = std::optional<std::filesystem::path>;
 
-/// A definition that no object uses is read all the same, as a mistake in it would else show much
-/// later.
+/// A definition that no object uses is read all the same, each by itself, as a mistake in it would
+/// else show much later.
 void check_unused(const std::set<std::string>& used, const Definitions& definitions,
                   const std::vector<Material>& declared, const Directory& directory,
                   FaultList& faults) {
@@ -30,14 +30,12 @@ void check_unused(const std::set<std::string>& used, const Definitions& definiti
     root.material = names.add({});  // what the object that uses it would bring
     for (const std::string& name : definitions.names()) {
         if (used.contains(name)) continue;
-        const nlohmann::json stand_in{{"name", name}, {"instance", name}};
-        const JsonValue object(stand_in);
         faults.attempt([&] {
-            if (count.of(object) > PolygonCount::most)
-                definitions.body(name).reject("has more than " +
-                                              std::to_string(PolygonCount::most) + " polygons");
-            ObjectReader({declared, definitions, files, lamps}, elsewhere, faults)
-                .read_body(object, root);
+            const JsonValue body = definitions.body(name);
+            count.of(body);
+            ObjectReader({declared, definitions, files, lamps}, elsewhere, faults,
+                         Instancing::check)
+                .read_definition(body, root);
         });
     }
 }

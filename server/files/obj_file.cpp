@@ -110,8 +110,8 @@ class ObjReader {
             if (index == 0 || (read.ec != std::errc() && !(is_empty && may_be_empty))) break;
             if (part == 0) vertex = index;
             left.remove_prefix(static_cast<std::size_t>(read.ptr - left.data()));
-            if (left.empty()) return vertex_number(vertex, given);
-            if (left.front() != '/') break;
+            if (left.empty() && !is_empty) return vertex_number(vertex, given);
+            if (!left.starts_with('/')) break;
             left.remove_prefix(1);
         }
         lines_.reject(

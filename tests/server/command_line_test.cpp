@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <sstream>
 
 namespace patchlight::server {
 namespace {
@@ -118,6 +119,47 @@ TEST(CommandLine, WrongScenesAreToldWithFileAndPlace) {
     expect_refused("check syntax.json", "syntax.json:3:3: ");
     expect_refused("solve missing.json", "missing.json: cannot be read: No such file");
     expect_refused("solve .", "is a directory");
+}
+
+TEST(CommandLine, EachMistakeIsToldOnALineOfItsOwn) {
+    write_test_file("three.json", R"({"version": 1, "objects": [{}, {}], "solve": {"rays": 0}})");
+    const Outcome outcome = run_program("check three.json");
+    EXPECT_EQ(outcome.code, 2);
+    std::istringstream lines(outcome.err);
+    for (const char* place : {"/solve/rays", "/objects/0", "/objects/1"}) {
+        std::string line;
+        std::getline(lines, line);
+        EXPECT_TRUE(line.starts_with(std::string("patchlight: error: three.json: ") + place + ": "))
+            << line;
+    }
+    const Outcome options = run_program("check " + box_file() + " --rays 0 --tolerance 2");
+    EXPECT_NE(options.err.find("error: --rays: "), std::string::npos) << options.err;
+    EXPECT_NE(options.err.find("error: --tolerance: "), std::string::npos) << options.err;
+}
+
+TEST(CommandLine, AGeometryFileIsAScene) {
+    write_test_file("floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng half\nf 1 2 3\n");
+    const Outcome outcome = run_program("solve floor.obj --stats - --patch-size 1");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto result = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(result["objects"][0]["name"], "floor/half");
+    EXPECT_EQ(result["findings"][0]["kind"], "default-material");
+    write_test_file("UP.STL", "solid\n");
+    expect_refused("check UP.STL", "error: UP.STL:1: the file ends before 'endsolid'");
+    write_test_file("bad.obj", "v 0 0 0\n\nf 1 2 3\n");
+    expect_refused("check bad.obj", "error: bad.obj:3: vertex 2 does not exist");
+    expect_refused("check ./bad.obj", "error: ./bad.obj:3: vertex 2");
+    expect_refused("check none.gltf", "error: none.gltf: cannot be read: No such file");
+    write_test_file("flat.obj", "v 0 0 0\nf 1 1 1\n");
+    expect_refused("check flat.obj", "error: flat.obj: no polygon of the scene has an area");
+}
+
+TEST(CommandLine, FilesAreRelativeToTheSceneThatNamesThem) {
+    std::filesystem::create_directories(test_file("below"));
+    write_test_file("below/floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_test_file("below/scene.json", R"({"version": 1, "objects": [{"file": "floor.obj"}]})");
+    EXPECT_EQ(run_program("check below/scene.json").code, 0);
+    expect_refused("check - < below/scene.json", "/objects/0/file: is relative to");
 }
 
 TEST(CommandLine, WrongArgumentsAreRefused) {
