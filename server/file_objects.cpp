@@ -2,6 +2,7 @@
 
 #include "server/files/geometry_file.h"
 #include "server/materials_json.h"
+#include "server/utf8_text.h"
 #include "server/wording.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ FileObjects::OpenFile& FileObjects::opened(const JsonValue& file) {
     if (name.find('\0') != std::string::npos) file.reject("a NUL is in no file's name");
     if (const auto found = files_.find(name); found != files_.end()) return found->second;
     try {
-        ImportedGeometry geometry = read_geometry_file(*directory_ / name, name);
+        ImportedGeometry geometry = read_geometry_file(*directory_ / name, as_utf8(name));
         const std::size_t materials = geometry.materials.size();
         OpenFile& kept = files_[name];
         kept.geometry = std::move(geometry);

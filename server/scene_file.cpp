@@ -3,6 +3,7 @@
 #include "server/files/geometry_file.h"
 #include "server/json_document.h"
 #include "server/scene_json.h"
+#include "server/utf8_text.h"
 #include "server/wrong_input.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ std::string read_file(const std::string& path) {
 
 /// Such as will do for a name.
 std::string name_of(const std::filesystem::path& path) {
-    std::string name = path.stem().string();
+    std::string name = as_utf8(path.stem().string());
     const auto is_control = [](unsigned char byte) { return byte < 0x20 || byte == 0x7F; };
     std::replace_if(name.begin(), name.end(), is_control, ' ');
     return name;

@@ -4,6 +4,7 @@
 #include "server/files/gltf_primitive.h"
 #include "server/transform_json.h"
 #include "server/unique_names.h"
+#include "server/utf8_text.h"
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +18,7 @@ std::string cleaned(std::string name) {
     if (name.size() > longest) name.resize(longest);
     const auto is_control = [](unsigned char byte) { return byte < 0x20 || byte == 0x7F; };
     std::replace_if(name.begin(), name.end(), is_control, ' ');
-    return name;
+    return as_utf8(name);  // it may have been cut within a character
 }
 
 std::size_t node_count(const JsonValue& root) {

@@ -3,6 +3,7 @@
 #include "server/files/file_bytes.h"
 #include "server/files/obj_materials.h"
 #include "server/files/text_lines.h"
+#include "server/utf8_text.h"
 #include "server/wording.h"
 #include "solver/scene/input_error.h"
 
@@ -165,7 +166,7 @@ class ObjReader {
 }  // namespace
 
 ImportedGeometry read_obj(const std::filesystem::path& path, const std::string& file) {
-    const std::string text = read_file_bytes(path, file);
+    const std::string text = as_utf8(read_file_bytes(path, file));
     return ObjReader(path, file, text).read();
 }
 

@@ -2,6 +2,7 @@
 
 #include "server/files/file_bytes.h"
 #include "server/files/mtl_file.h"
+#include "server/utf8_text.h"
 #include "server/wording.h"
 
 #include <sstream>
@@ -30,7 +31,7 @@ bool ObjMaterials::open_file(const std::string& name) {
     const auto path = find_beside(obj_path_, name);
     if (!path) return false;
     const std::string shown = (fs::path(obj_file_).parent_path() / path->filename()).string();
-    for (FileMaterial& material : read_mtl(read_file_bytes(*path, shown), shown))
+    for (FileMaterial& material : read_mtl(as_utf8(read_file_bytes(*path, shown)), shown))
         defined_.insert_or_assign(material.name, std::move(material));
     return true;
 }

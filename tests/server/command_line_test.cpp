@@ -154,6 +154,19 @@ TEST(CommandLine, AGeometryFileIsAScene) {
     expect_refused("check flat.obj", "error: flat.obj: no polygon of the scene has an area");
 }
 
+TEST(CommandLine, NamesInOtherEncodingsDoNotSpoilTheResult) {
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    write_test_file("k\xFC.obj",
+                    "g K\xFC"
+                    "che\nusemtl t\xFCr\n" +
+                        triangle);
+    const Outcome outcome = run_program("solve k\xFC.obj --stats - --patch-size 1");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto result = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(result["objects"][0]["name"], "k?/K?che");
+    EXPECT_TRUE(result["settings"]["materials"].contains("t?r"));
+}
+
 TEST(CommandLine, FilesAreRelativeToTheSceneThatNamesThem) {
     std::filesystem::create_directories(test_file("below"));
     write_test_file("below/floor.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

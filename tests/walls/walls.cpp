@@ -56,7 +56,7 @@ const std::vector<Door> doors = {
     {"solver/", Paths{"solver/"} + numbers + system_calls},
     {"server/files/",
      Paths{"server/files/", "server/json_", "server/transform_json.h", "server/unique_names.h",
-           "server/wording.h", "solver/scene/", "nlohmann/"} +
+           "server/utf8_text.h", "server/wording.h", "solver/scene/", "nlohmann/"} +
          numbers},
     {"server/", Paths{"server/", "solver/", "raster/", "nlohmann/", "CLI/", "openssl/", "httplib.h",
                       "spdlog/"} +
