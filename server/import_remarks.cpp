@@ -10,8 +10,7 @@ std::string listed(const std::vector<std::string>& names) {
     constexpr std::size_t most_listed = 10;
     std::string list;
     for (std::size_t k = 0; k < names.size() && k < most_listed; ++k)
-        list +=
-            (k > 0 ? ", " : "") + (names[k].empty() ? "faces without any" : in_quotes(names[k]));
+        list += (k > 0 ? ", " : "") + in_quotes(names[k]);
     if (names.size() > most_listed)
         list += " and " + std::to_string(names.size() - most_listed) + " more";
     return list;
@@ -20,8 +19,11 @@ std::string listed(const std::vector<std::string>& names) {
 }  // namespace
 
 void ImportRemarks::look_at(const FileMaterial& material) {
-    if (!material.reflectance) without_reflectance_.push_back(material.name);
-    if (material.reflectance && (*material.reflectance >= 1.0).any())
+    if (material.name.empty() && !material.reflectance)
+        has_nameless_ = true;
+    else if (!material.reflectance)
+        without_reflectance_.push_back(material.name);
+    else if ((*material.reflectance >= 1.0).any())
         too_bright_.push_back(material.name);
     if (material.has_texture) textured_.push_back(material.name);
     if (material.is_transparent) transparent_.push_back(material.name);
@@ -36,6 +38,11 @@ std::vector<Finding> ImportRemarks::findings(const std::string& path,
             found.push_back(
                 {kind, {path}, "materials of " + file + " " + what + ": " + listed(names), remedy});
     };
+    if (has_nameless_)
+        found.push_back({"default-material",
+                         {path},
+                         "faces of " + file + " without a material are taken to reflect 0.5",
+                         "give the object a `material`"});
     tell("default-material", without_reflectance_, "without a reflectance are taken to have 0.5",
          "give the object a `material`, or the scene materials of the same names");
     tell("reflectance-clamped", too_bright_, "that reflect all light or more are read as 0.99",

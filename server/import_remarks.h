@@ -21,6 +21,7 @@ class ImportRemarks {
   private:
     using Names = std::vector<std::string>;  // of materials
 
+    bool has_nameless_ = false;  // faces without a material
     Names without_reflectance_;
     Names too_bright_;
     Names textured_;

@@ -81,9 +81,10 @@ TEST(FileObjects, AndThenOneHalfWhichIsAFinding) {
     EXPECT_TRUE((material(job, 2).reflectance == 0.5).all());
     EXPECT_EQ(material(job, 2).name, "lost");
     const auto found = findings_of(job.scene, "default-material");
-    ASSERT_EQ(found.size(), 1u);
+    ASSERT_EQ(found.size(), 2u);
     EXPECT_EQ(found[0].objects, std::vector<std::string>{"thing"});
-    EXPECT_NE(found[0].detail.find("faces without any, 'lost'"), std::string::npos);
+    EXPECT_EQ(found[0].detail, "faces of thing.obj without a material are taken to reflect 0.5");
+    EXPECT_NE(found[1].detail.find(": 'lost'"), std::string::npos) << found[1].detail;
 }
 
 TEST(FileObjects, AReflectanceOfOneIsReadAsLessAndIsAFinding) {
