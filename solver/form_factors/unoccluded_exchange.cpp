@@ -27,6 +27,7 @@ UnoccludedExchange::UnoccludedExchange(const Scene& scene, const PatchMesh& mesh
     : scene_(scene),
       mesh_(mesh),
       flat_(in_plane * scene_size(scene)),
+      contact_(0.5 * contact_distance(scene)),
       polygons_(mesh.size()),
       radius_(mesh.size()),
       group_of_(groups.of_surface),
@@ -52,7 +53,7 @@ UnoccludedExchange::UnoccludedExchange(const Scene& scene, const PatchMesh& mesh
                     lowest = std::min(lowest, height);
                     highest = std::max(highest, height);
                 }
-            if (highest <= flat_ || g == h)
+            if (highest <= contact_ || g == h)
                 group_place_[g * n + h] = Place::behind;
             else if (lowest >= -flat_)
                 group_place_[g * n + h] = Place::in_front;
@@ -72,7 +73,7 @@ UnoccludedExchange::Place UnoccludedExchange::place(PatchIndex i, SurfaceIndex o
         lowest = std::min(lowest, height);
         highest = std::max(highest, height);
     }
-    return highest <= flat_ ? Place::behind : lowest >= -flat_ ? Place::in_front : Place::cut;
+    return highest <= contact_ ? Place::behind : lowest >= -flat_ ? Place::in_front : Place::cut;
 }
 
 double UnoccludedExchange::clipped(PatchIndex i, PatchIndex j) const {

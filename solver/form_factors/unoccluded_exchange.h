@@ -25,7 +25,8 @@ class UnoccludedExchange {
 
     const Scene& scene_;
     const PatchMesh& mesh_;
-    double flat_;  // heights up to this are in the plane [m]
+    double flat_;     // depths up to this need no clipping [m]
+    double contact_;  // what rises no higher above a plane lies on it, and faces nothing there [m]
     std::vector<ConvexPolygon> polygons_;
     std::vector<double> radius_;           // of patches about their centres [m]
     std::vector<std::uint32_t> group_of_;  // plane group of each surface

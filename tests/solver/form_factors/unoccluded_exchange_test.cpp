@@ -190,5 +190,30 @@ TEST(UnoccludedExchange, ScalesWithArea) {
     }
 }
 
+TEST(UnoccludedExchange, TheTwoSidesOfASlantedFaceDoNotSeeEachOther) {
+    // Corners rounded to eight digits: the back lies in front of the front here, by 1e-9.
+    const auto ring = [](double radius, double z, int k) {
+        const double angle = k * 1.0471975511965976;
+        return Vec3(std::round(radius * std::cos(angle) * 1e8) / 1e8,
+                    std::round(radius * std::sin(angle) * 1e8) / 1e8, z);
+    };
+    Scene scene = empty_scene();
+    for (int k = 0; k < 6; ++k)
+        add(scene,
+            {ring(0.2, 0, k), ring(0.2, 0, k + 1), ring(0.07, 0.22, k + 1), ring(0.07, 0.22, k)},
+            two_sided);
+    const CutScene frustum = cut(scene, 9.0);
+    const UnoccludedExchange exchange_of(frustum.scene, frustum.mesh,
+                                         find_plane_groups(frustum.scene));
+    for (SurfaceIndex s = 0; s + 1 < frustum.scene.surfaces.size(); s += 2) {
+        const PatchIndex front = frustum.mesh.first_of_surface[s],
+                         back = frustum.mesh.first_of_surface[s + 1];
+        ASSERT_EQ(frustum.scene.surfaces[s + 1].side, Side::back);
+        for (PatchIndex i = front; i < back; ++i)
+            for (PatchIndex j = back; j < frustum.mesh.first_of_surface[s + 2]; ++j)
+                EXPECT_EQ(exchange_of(i, j), 0.0) << s;
+    }
+}
+
 }  // namespace
 }  // namespace patchlight
