@@ -13,12 +13,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-JsonError error_at(std::string_view bytes, std::size_t offset, const std::string& detail) {
+JsonError error_at(JsonFault fault, std::string_view bytes, std::size_t offset,
+                   const std::string& detail) {
     const std::string_view before = bytes.substr(0, std::min(offset, bytes.size()));
     const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
     const std::size_t newline = before.rfind('\n');
     const std::size_t line_begin = newline == std::string_view::npos ? 0 : newline + 1;
-    return {line, before.size() - line_begin + 1, detail};
+    return {fault, TextPlace{before.size(), line, before.size() - line_begin + 1}, detail};
 }
 
 /// The parser's message without its code, its position and the bytes it quotes, which may be
@@ -32,6 +33,13 @@ std::string plain_message(std::string message) {
     if (const auto quote = message.find("; last read"); quote != std::string::npos)
         message.erase(quote);
     return message;
+}
+
+/// The parser has one code for all it finds wrong; its words tell more.
+JsonFault fault_of(const std::string& message) {
+    for (const char* const word : {"UTF-8", "surrogate"})
+        if (message.find(word) != std::string::npos) return JsonFault::encoding;
+    return JsonFault::syntax;
 }
 
 /// Builds the document while it counts depth, values and keys.
@@ -56,21 +64,25 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
     bool key(string_t& name) override {
         if (name.size() > limits_.key_bytes)
-            throw JsonError(pointer(), "a key of " + std::to_string(name.size()) +
-                                           " bytes is too long; the limit is " +
-                                           std::to_string(limits_.key_bytes));
+            throw JsonError(JsonFault::too_large, pointer(),
+                            "a key of " + std::to_string(name.size()) +
+                                " bytes is too long; the limit is " +
+                                std::to_string(limits_.key_bytes));
         levels_.back().key = name;
         if (levels_.back().container->contains(name))
-            throw JsonError(pointer(), "key " + in_quotes(name) + " is given twice");
+            throw JsonError(JsonFault::duplicate_key, pointer(),
+                            "key " + in_quotes(name) + " is given twice");
         return true;
     }
 
     bool parse_error(std::size_t position, const std::string&,
                      const nlohmann::detail::exception& failure) override {
         constexpr int number_overflow = 406;  // the library's code for 1e999
-        throw error_at(
-            bytes_, position > 0 ? position - 1 : 0,
-            failure.id == number_overflow ? "number out of range" : plain_message(failure.what()));
+        const std::size_t offset = position > 0 ? position - 1 : 0;
+        if (failure.id == number_overflow)
+            throw error_at(JsonFault::number_range, bytes_, offset, "number out of range");
+        const std::string message = plain_message(failure.what());
+        throw error_at(fault_of(message), bytes_, offset, message);
     }
 
   private:
@@ -88,7 +100,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     bool open(Json container) {
         levels_.push_back({place(std::move(container)), {}});
         if (levels_.size() > limits_.depth)
-            throw JsonError(pointer(),
+            throw JsonError(JsonFault::too_deep, pointer(),
                             "nested deeper than " + std::to_string(limits_.depth) + " levels");
         return true;
     }
@@ -101,7 +113,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     Json* place(Json value) {
         if (++values_ > limits_.values)
             throw JsonError(
-                "", "more than " + std::to_string(limits_.values) + " values in one document");
+                JsonFault::too_large, "",
+                "more than " + std::to_string(limits_.values) + " values in one document");
         if (levels_.empty()) {
             root_ = std::move(value);
             return &root_;
@@ -136,14 +149,15 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
 void check_bytes(std::string_view bytes, const JsonLimits& limits) {
     if (bytes.size() > limits.bytes)
-        throw JsonError("", "the document has " + std::to_string(bytes.size()) +
-                                " bytes; the limit is " + std::to_string(limits.bytes));
+        throw JsonError(JsonFault::too_large, "",
+                        "the document has " + std::to_string(bytes.size()) +
+                            " bytes; the limit is " + std::to_string(limits.bytes));
     if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE"))
-        throw JsonError("", "must be UTF-8, not UTF-16");
+        throw JsonError(JsonFault::encoding, "", "must be UTF-8, not UTF-16");
     if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        throw JsonError("", "the document is empty");
+        throw JsonError(JsonFault::syntax, "", "the document is empty");
     if (const auto nul = bytes.find('\0'); nul != std::string_view::npos)
-        throw error_at(bytes, nul, "a NUL byte is not JSON");
+        throw error_at(JsonFault::encoding, bytes, nul, "a NUL byte is not JSON");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 namespace patchlight::server {
@@ -17,20 +18,38 @@ struct JsonLimits {
     std::size_t key_bytes = 256;                // of one key [bytes]
 };
 
+enum class JsonFault : std::uint8_t {
+    syntax,
+    encoding,
+    number_range,
+    duplicate_key,
+    too_deep,
+    too_large,
+};
+
+/// A place in a text.
+struct TextPlace {
+    std::size_t offset = 0;  // in bytes, from 0
+    std::size_t line = 0;    // from 1
+    std::size_t column = 0;  // in bytes, from 1
+};
+
 /// The bytes are not a JSON document: told apart from a scene that is wrong, because HTTP answers
 /// 400 to the one and 422 to the other. `line` is 0 where a pointer names the place instead.
 class JsonError : public InputError {
   public:
-    JsonError(std::string pointer, const std::string& detail)
-        : InputError(std::move(pointer), detail) {}
-    JsonError(std::size_t line, std::size_t column, const std::string& detail)
-        : InputError("", detail), line_(line), column_(column) {}
-    std::size_t line() const { return line_; }
-    std::size_t column() const { return column_; }  // in bytes, from 1
+    JsonError(JsonFault fault, std::string pointer, const std::string& detail)
+        : InputError(std::move(pointer), detail), fault_(fault) {}
+    JsonError(JsonFault fault, const TextPlace& place, const std::string& detail)
+        : InputError("", detail), fault_(fault), place_(place) {}
+    JsonFault fault() const { return fault_; }
+    std::size_t offset() const { return place_.offset; }
+    std::size_t line() const { return place_.line; }
+    std::size_t column() const { return place_.column; }
 
   private:
-    std::size_t line_ = 0;
-    std::size_t column_ = 0;
+    JsonFault fault_;
+    TextPlace place_;
 };
 
 /// Strict JSON: UTF-8 (a byte order mark is allowed), no duplicate keys, no number that a double
