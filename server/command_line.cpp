@@ -3,7 +3,9 @@
 #include "server/argument_hint.h"
 #include "server/check_command.h"
 #include "server/form_factors_command.h"
+#include "server/health_command.h"
 #include "server/not_built.h"
+#include "server/serve_command.h"
 #include "server/solve_command.h"
 #include "server/version.h"
 #include "server/wrong_input.h"
@@ -37,7 +39,7 @@ int fail(int code, const std::string& what) {
 }
 
 void refuse_commands_not_built(CLI::App& program) {
-    for (const char* name : {"chart", "selftest", "serve"})
+    for (const char* name : {"chart", "selftest"})
         program.add_subcommand(name)
             ->group("")
             ->prefix_command()
@@ -59,9 +61,13 @@ int run(int count, const char* const* arguments) {
     SolveCommand solve;
     CheckCommand check;
     FormFactorsCommand form_factors;
+    ServeCommand serve;
+    HealthCommand health;
     CLI::App* const solve_asked = solve.add_to(program);
     CLI::App* const factors_asked = form_factors.add_to(program);
     CLI::App* const check_asked = check.add_to(program);
+    CLI::App* const serve_asked = serve.add_to(program);
+    CLI::App* const health_asked = health.add_to(program);
     refuse_commands_not_built(program);
     try {
         program.parse(count, arguments);
@@ -71,6 +77,8 @@ int run(int count, const char* const* arguments) {
     if (solve_asked->parsed()) return solve.run();
     if (factors_asked->parsed()) return form_factors.run();
     if (check_asked->parsed()) return check.run();
+    if (serve_asked->parsed()) return serve.run();
+    if (health_asked->parsed()) return health.run();
     throw std::logic_error("a command that does nothing");
 }
 

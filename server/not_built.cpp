@@ -16,7 +16,6 @@ constexpr std::array lacks{
     Lack{"accuracy", "set `patch_size` and `rays`"},
     Lack{"chart", "use `solve` or `check`"},
     Lack{"selftest", "use `solve` or `check`"},
-    Lack{"serve", "use `solve` or `check`"},
 };
 
 }  // namespace

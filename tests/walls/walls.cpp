@@ -37,6 +37,9 @@ const Paths transport = form_factors + Paths{"solver/transport/"};
 const Paths hierarchy = form_factors + Paths{"solver/hierarchy/", "solver/transport/stop_rule.h"};
 const Paths below_accuracy = transport + Paths{"solver/hierarchy/"};
 
+const Paths ways_in =
+    Paths{"server/", "solver/", "raster/", "nlohmann/", "openssl/"} + numbers + system_calls;
+
 const std::vector<Door> doors = {
     {"raster/", Paths{"raster/"} + numbers + system_calls},
     {"raster/image_codec.cpp", {"raster/", "OpenImageIO/"}},
@@ -58,9 +61,9 @@ const std::vector<Door> doors = {
      Paths{"server/files/", "server/json_", "server/transform_json.h", "server/unique_names.h",
            "server/utf8_text.h", "server/wording.h", "solver/scene/", "nlohmann/"} +
          numbers},
-    {"server/", Paths{"server/", "solver/", "raster/", "nlohmann/", "CLI/", "openssl/", "httplib.h",
-                      "spdlog/"} +
-                    numbers + system_calls + network},
+    {"server/", ways_in + Paths{"CLI/", "signal.h"}},
+    {"server/http/", ways_in + network + Paths{"spdlog/"}},
+    {"server/http/hardened_server.cpp", {"server/http/", "httplib.h"}},
 };
 
 /// Neither raster/ nor solver/ logs or prints.

@@ -54,7 +54,15 @@ TEST(Walls, HttplibIsIncludedByOneFileAtMost) {
     for (const std::string& file : sources_below(root))
         for (const Include& include : includes_in(read(root / file)))
             if (include.path == "httplib.h") including.push_back(file);
-    EXPECT_LE(including.size(), 1U) << including.front() << " and " << including.back();
+    EXPECT_EQ(including, std::vector<std::string>{"server/http/hardened_server.cpp"});
+}
+
+TEST(Walls, TheNetworkIsKnownToHttpAlone) {
+    for (const char* include : {"<httplib.h>", "<netinet/in.h>", "<poll.h>", "<spdlog/spdlog.h>"})
+        expect_crossing("server/serve_command.cpp", include);
+    expect_open("server/http/connection.cpp", "<poll.h>");
+    expect_crossing("server/http/connection.cpp", "<httplib.h>");
+    expect_crossing("server/http/hardened_server.cpp", "\"server/scene_json.h\"");
 }
 
 TEST(Walls, RasterKnowsNobody) {

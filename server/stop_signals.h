@@ -1,0 +1,20 @@
+#pragma once
+
+#include <chrono>
+
+namespace patchlight::server {
+
+/// SIGINT and SIGTERM as events that are waited for. They are blocked from construction on, in
+/// this thread and in all it makes: construct it first.
+class StopSignals {
+  public:
+    StopSignals();
+
+    /// Whether one came before `most` was over.
+    bool wait(std::chrono::milliseconds most) const;
+
+    /// From now on they end the program at once, as they do by themselves.
+    void let_through() const;
+};
+
+}  // namespace patchlight::server
