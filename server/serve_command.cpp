@@ -101,6 +101,7 @@ void ServeCommand::add_limits(CLI::App& command) {
     add("--max-pixels", render.pixels, "pixels in all pictures", std::uint64_t{1},
         std::uint64_t{many});
     add("--max-sensors", render.sensors, "sensors", std::size_t{0}, many);
+    add("--max-rays", render.rays, "rays per patch", std::size_t{1}, many);
     add("--memory-limit", render.memory, "bytes; 0 for 80 % of the machine", std::uint64_t{0},
         std::uint64_t{many});
     add("--workers", render.at_once, "solves side by side, in all", 1, 64);

@@ -15,7 +15,7 @@ void Conversation::hold(Connection& connection, Lane lane) const {
     const std::size_t most = lane == Lane::normal ? limits_.requests : 1;
     for (std::size_t count = 1; count <= most; ++count) {
         if (lane == Lane::normal && !connection.wait_for_request()) break;
-        Exchange next{connection, {}, {}, {}};
+        Exchange next{connection, {}, {}, {}, {}};
         next.request.id = new_request_id();
         next.request.remote = remote;
         next.request.in_reserve = lane == Lane::reserve;

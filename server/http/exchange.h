@@ -1,5 +1,6 @@
 #pragma once
 
+#include "server/http/chunk_check.h"
 #include "server/http/connection.h"
 #include "server/http/http_message.h"
 #include "server/http/request_head.h"
@@ -14,6 +15,7 @@ struct Exchange {
     RequestHead head;
     HttpRequest request;
     HttpAnswer answer;
+    ChunkCheck chunks;  // of its body
     bool is_answered = false;
     bool must_close = false;  // whatever the answer says
 

@@ -54,7 +54,10 @@ class CheckedStream final : public httplib::Stream {
         if (std::exchange(exchange_.head.expects_continue, false) &&
             !exchange_.connection.write("HTTP/1.1 100 Continue\r\n\r\n"))
             return -1;
-        return exchange_.connection.read_body(bytes, count);
+        const auto read = exchange_.connection.read_body(bytes, count);
+        const bool is_sound = read <= 0 || !exchange_.head.is_chunked ||
+                              exchange_.chunks.accepts({bytes, static_cast<std::size_t>(read)});
+        return is_sound ? read : -1;
     }
 
     Exchange& exchange_;

@@ -12,9 +12,9 @@ namespace patchlight::server {
 /// Format: Nottingham et al., "Problem Details for HTTP APIs" (RFC 9457), 2023.
 struct Problem {
     int status = 500;
-    std::string kind;    // "json-syntax"; its type is urn:patchlight:json-syntax
-    std::string title;   // the same for all problems of a kind
-    std::string detail;  // about this one: what is wrong, and what would be right
+    std::string kind;                     // "json-syntax"; its type is urn:patchlight:json-syntax
+    std::string title;                    // the same for all problems of a kind
+    std::string detail;                   // about this one: what is wrong, and what would be right
     nlohmann::ordered_json members = {};  // such as "pointer"
 };
 

@@ -154,6 +154,9 @@ std::optional<Problem> RenderRoute::over_limit(const Job& job,
     const std::size_t sensors = job.scene.sensors.size();
     if (sensors > limits_.sensors)
         return too_much("too-many-sensors", "/sensors", "sensors", sensors, limits_.sensors);
+    const auto rays = static_cast<std::uint64_t>(job.settings.rays.value_or(0));
+    if (rays > limits_.rays)
+        return too_much("too-many-rays", "/solve/rays", "rays per patch", rays, limits_.rays);
     const std::size_t patches = estimate_cost(job.scene, job.settings).patches;
     if (patches > limits_.patches)
         return too_much("too-many-patches", "/solve/patch_size",

@@ -16,11 +16,12 @@ namespace patchlight::server {
 struct RenderLimits {
     std::size_t patches = 20'000;
     std::uint64_t pixels = std::uint64_t{4096} * 4096;  // in all pictures of one answer
-    std::size_t sensors = 100'000;
-    std::uint64_t memory = 0;  // of one solve; 0: no limit [bytes]
-    double seconds = 30.0;     // for one solve [s]
-    int at_once = 1;           // solves that run side by side
-    int waiting = 8;           // solves that wait for their turn
+    std::size_t sensors = 10'000;
+    std::size_t rays = 65'536;  // per patch; between two rows of patches nothing can be stopped
+    std::uint64_t memory = 0;   // of one solve; 0: no limit [bytes]
+    double seconds = 30.0;      // for one solve [s]
+    int at_once = 1;            // solves that run side by side
+    int waiting = 8;            // solves that wait for their turn
 };
 
 struct ServiceSettings {
