@@ -2,6 +2,7 @@
 
 #include "server/http/socket_address.h"
 
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -69,6 +70,11 @@ RawAnswer RawClient::answer(bool of_head) {
     answer.body = received_.substr(0, of_head ? 0 : length);
     received_.erase(0, answer.body.size());
     return answer;
+}
+
+bool RawClient::receives_within(std::chrono::milliseconds most) const {
+    pollfd polled{socket_, POLLIN, 0};
+    return ::poll(&polled, 1, static_cast<int>(most.count())) > 0;
 }
 
 bool RawClient::is_closed() { return received_.empty() && !receive(); }

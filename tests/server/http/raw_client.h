@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ class RawClient {
 
     /// The next answer; `of_head` if it is one to HEAD, which has no body.
     RawAnswer answer(bool of_head = false);
+
+    /// Whether there is anything to receive within that time, be it the end.
+    bool receives_within(std::chrono::milliseconds most) const;
 
     /// Whether the server ends the connection, within some seconds, without sending more.
     bool is_closed();
