@@ -2,6 +2,7 @@
 
 #include "raster/image_module.h"
 #include "server/http/access_token.h"
+#include "server/http/machine_memory.h"
 #include "server/http/service.h"
 #include "server/http/socket_address.h"
 #include "server/stop_signals.h"
@@ -102,7 +103,8 @@ void ServeCommand::add_limits(CLI::App& command) {
         std::uint64_t{many});
     add("--max-sensors", render.sensors, "sensors", std::size_t{0}, many);
     add("--max-rays", render.rays, "rays per patch", std::size_t{1}, many);
-    add("--memory-limit", render.memory, "bytes; 0 for 80 % of the machine", std::uint64_t{0},
+    add("--memory-limit", render.memory,
+        "bytes; 0 for 80 % of what there is, shared by the workers", std::uint64_t{0},
         std::uint64_t{many});
     add("--workers", render.at_once, "solves side by side, in all", 1, 64);
     add("--queue", render.waiting, "solves that wait, in all", 0, 1000);
@@ -112,6 +114,9 @@ void ServeCommand::add_limits(CLI::App& command) {
 
 int ServeCommand::run() {
     const StopSignals signals;
+    if (settings_.render.memory == 0)
+        settings_.render.memory =
+            machine_memory() / 5 * 4 / static_cast<std::uint64_t>(settings_.render.at_once);
     settings_.token = configured_token(token_file_);
     raster::preload_image_codec();
     const Listener listener = listen_on(settings_.host, port_);

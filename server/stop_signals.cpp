@@ -1,6 +1,7 @@
 #include "server/stop_signals.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
 
 namespace patchlight::server {
@@ -12,6 +13,12 @@ sigset_t stop_signals() {
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
     return set;
+}
+
+/// The program may be the first one of a container, where signals do nothing by themselves.
+void end_at_once(int signal) {
+    constexpr int ended_by_signal = 128;  // as shells say it
+    std::_Exit(ended_by_signal + signal);
 }
 
 }  // namespace
@@ -32,6 +39,8 @@ bool StopSignals::wait(std::chrono::milliseconds most) const {
 
 void StopSignals::let_through() const {
     const sigset_t set = stop_signals();
+    std::signal(SIGINT, end_at_once);
+    std::signal(SIGTERM, end_at_once);
     pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 

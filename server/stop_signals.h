@@ -13,7 +13,7 @@ class StopSignals {
     /// Whether one came before `most` was over.
     bool wait(std::chrono::milliseconds most) const;
 
-    /// From now on they end the program at once, as they do by themselves.
+    /// From now on they end the program at once, with exit code 128 + signal.
     void let_through() const;
 };
 

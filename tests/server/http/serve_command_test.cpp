@@ -127,7 +127,7 @@ TEST(ServeCommand, EndsAtOnceAtTheSecondSignal) {
     program.send(SIGTERM);
     EXPECT_TRUE(eventually([&] { return program.log().find("draining") != std::string::npos; }));
     program.send(SIGTERM);
-    EXPECT_EQ(program.wait(), -SIGTERM);
+    EXPECT_EQ(program.wait(), 128 + SIGTERM);
 }
 
 TEST(ServeCommand, SaysThatItsPortIsTaken) {
