@@ -10,10 +10,13 @@ namespace patchlight::server {
 
 CLI::App* HealthCommand::add_to(CLI::App& program) {
     CLI::App* command = program.add_subcommand("health", "Ask a server whether it is alive");
-    command->add_option("--host", host_, "where it listens")->capture_default_str();
+    command->add_option("--host", host_, "where it listens")
+        ->type_name("ADDRESS")
+        ->capture_default_str();
     command->add_option("--port", port_, "where it listens")
         ->capture_default_str()
-        ->check(CLI::Range(1, 65535));
+        ->type_name("N")
+        ->check(CLI::Range(1, 65535).description(""));
     return command;
 }
 

@@ -57,10 +57,13 @@ void wind_down(Service& service, milliseconds grace) {
 
 CLI::App* ServeCommand::add_to(CLI::App& program) {
     CLI::App* command = program.add_subcommand("serve", "Answer HTTP: scenes in, pictures out");
-    command->add_option("--host", settings_.host, "address to listen on")->capture_default_str();
+    command->add_option("--host", settings_.host, "address to listen on")
+        ->type_name("ADDRESS")
+        ->capture_default_str();
     command->add_option("--port", port_, "to listen on; 0 for a free one")
         ->capture_default_str()
-        ->check(CLI::Range(0, 65535));
+        ->type_name("N")
+        ->check(CLI::Range(0, 65535).description(""));
     command
         ->add_option("--token-file", token_file_,
                      "its first line is the token clients have to show; else it is taken from the "
@@ -75,10 +78,11 @@ CLI::App* ServeCommand::add_to(CLI::App& program) {
         ->allow_extra_args(false);
     command->add_option("--threads", settings_.threads, "that a solve uses; all cores if not given")
         ->type_name("N")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(1, 1024).description(""));
     command->add_option("--grace", grace_, "seconds that running solves get when it is told to end")
         ->capture_default_str()
-        ->check(CLI::Range(0.0, 86400.0));
+        ->type_name("N")
+        ->check(CLI::Range(0.0, 86400.0).description(""));
     command->add_flag("--quiet", is_quiet_, "no line a request on standard error");
     add_limits(*command);
     return command;
@@ -90,7 +94,7 @@ void ServeCommand::add_limits(CLI::App& command) {
         command.add_option(name, number, meaning)
             ->type_name("N")
             ->capture_default_str()
-            ->check(CLI::Range(low, high))
+            ->check(CLI::Range(low, high).description(""))
             ->group(limits_group);
     };
     constexpr std::size_t many = std::size_t{1} << 40;
