@@ -47,6 +47,9 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   public:
     DocumentBuilder(std::string_view bytes, const JsonLimits& limits)
         : bytes_(bytes), limits_(limits) {}
+    ~DocumentBuilder() override { dismantle(root_); }
+    DocumentBuilder(const DocumentBuilder&) = delete;
+    DocumentBuilder& operator=(const DocumentBuilder&) = delete;
 
     Json take() { return std::move(root_); }
 
@@ -161,6 +164,12 @@ void check_bytes(std::string_view bytes, const JsonLimits& limits) {
 }
 
 }  // namespace
+
+void dismantle(nlohmann::json& document) noexcept {
+    for (Json& element : document)
+        if (element.is_structured()) dismantle(element);
+    if (document.is_structured()) document.clear();
+}
 
 nlohmann::json parse_json(std::string_view bytes, const JsonLimits& limits) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

@@ -56,4 +56,8 @@ class JsonError : public InputError {
 /// cannot hold. Throws JsonError.
 nlohmann::json parse_json(std::string_view bytes, const JsonLimits& limits = {});
 
+/// Empties a document from the inside out. Its own destructor takes memory, as much as the largest
+/// array has, and ends the program if there is none: where memory has run out, this comes first.
+void dismantle(nlohmann::json& document) noexcept;
+
 }  // namespace patchlight::server

@@ -65,7 +65,12 @@ Job read_scene(const nlohmann::json& document, const SceneSource& source) {
 }
 
 Job read_scene_text(std::string_view bytes, const SceneSource& source) {
-    return read_scene(parse_json(bytes), source);
+    struct Document {
+        nlohmann::json root;
+        ~Document() { dismantle(root); }
+    };
+    const Document document{parse_json(bytes)};
+    return read_scene(document.root, source);
 }
 
 }  // namespace patchlight::server

@@ -8,11 +8,13 @@
 #include <gtest/gtest.h>
 
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
+#include <fstream>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -59,6 +61,8 @@ class ServingProgram {
         if (line == std::string::npos || text.find('\n', line) == std::string::npos) return 0;
         return std::atoi(text.c_str() + colon + 1);
     }
+
+    pid_t process() const { return process_; }
 
     void send(int signal) const { ::kill(process_, signal); }
 
@@ -153,6 +157,31 @@ TEST(ServeCommand, MakesATokenWhereOthersCanConnect) {
                   .status,
               422);
 }
+
+#if !defined(__SANITIZE_ADDRESS__)  // which takes all addresses there are
+TEST(ServeCommand, OutlivesALackOfMemory) {
+    constexpr rlim_t megabyte = 1 << 20;
+    std::string large = "{\"version\": 1, \"objects\": [1";
+    for (int k = 0; k < 8'000'000; ++k) large += ",1";
+    large += "]}";
+    ServingProgram program({"--quiet"});
+    std::ifstream status("/proc/" + std::to_string(program.process()) + "/status");
+    std::string line;
+    while (std::getline(status, line) && !line.starts_with("VmSize:")) continue;
+    const rlim_t present = std::stoul(line.substr(7)) / 1024;
+    int refusals = 0;
+    for (const rlim_t more : {60, 120, 180, 240, 300, 420, 900}) {
+        const rlimit limit{(present + more) * megabyte, RLIM_INFINITY};
+        ASSERT_EQ(::prlimit(program.process(), RLIMIT_AS, &limit, nullptr), 0);
+        const int answered = ask(program.port(), post("/v1/render", large)).status;
+        EXPECT_TRUE(answered == 503 || answered == 422 || answered == 500) << answered;
+        refusals += answered == 503 ? 1 : 0;
+        ASSERT_EQ(ask(program.port(), get("/healthz")).status, 200) << more << " MB more";
+    }
+    EXPECT_GT(refusals, 0);
+    EXPECT_EQ(ask(program.port(), post("/v1/render", quick_scene())).status, 200);
+}
+#endif
 
 TEST(ServeCommand, RefusesOptionsThatWouldNotDo) {
     for (const char* options : {"--port 65536", "--port x", "--max-body 0", "--workers 0",
