@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <exception>
 #include <mutex>
 #include <set>
-#include <system_error>
 #include <thread>
 
 namespace patchlight::server {
@@ -26,26 +26,33 @@ struct AcceptLoop::Shared {
     Shared(const HttpLimits& its_limits, Conversation its_conversation)
         : limits(its_limits), conversation(std::move(its_conversation)), count(its_limits) {}
 
-    /// The life of one connection, in a thread of its own.
-    void converse(int socket, const std::string& address, Lane lane) {
-        {
+    /// The life of one connection, in a thread of its own. Nothing leaves it: where memory has run
+    /// out before there was an answer, the connection ends without one.
+    void converse(int socket, const std::string& address, Lane lane) noexcept {
+        try {
             Connection connection(socket, limits, is_stopping);
-            remember(socket);
+            const Listed listed(*this, socket);  // for as long as the number is its own
             conversation(connection, lane);
-            forget(socket);
+        } catch (const std::exception&) {
         }
         count.leave(address, lane);
     }
 
-    void remember(int socket) {
-        const std::lock_guard lock(mutex);
-        sockets.insert(socket);
-    }
+    struct Listed {
+        Shared& shared;
+        int socket;
 
-    void forget(int socket) {
-        const std::lock_guard lock(mutex);
-        sockets.erase(socket);
-    }
+        Listed(Shared& its_shared, int its_socket) : shared(its_shared), socket(its_socket) {
+            const std::lock_guard lock(shared.mutex);
+            shared.sockets.insert(socket);
+        }
+        ~Listed() {
+            const std::lock_guard lock(shared.mutex);
+            shared.sockets.erase(socket);
+        }
+        Listed(const Listed&) = delete;
+        Listed& operator=(const Listed&) = delete;
+    };
 };
 
 namespace {
@@ -91,6 +98,14 @@ void AcceptLoop::accept_one(int listening_socket) {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         return;
     }
+    try {
+        take(socket);
+    } catch (const std::exception&) {  // no memory to be had
+        ::close(socket);
+    }
+}
+
+void AcceptLoop::take(int socket) {
     const std::string address = peer_address(socket);
     const Lane lane = shared_->count.enter(address);
     if (lane == Lane::refused) return refuse(socket);
@@ -98,7 +113,7 @@ void AcceptLoop::accept_one(int listening_socket) {
         std::thread([shared = shared_, socket, address, lane] {
             shared->converse(socket, address, lane);
         }).detach();
-    } catch (const std::system_error&) {  // no thread to be had
+    } catch (const std::exception&) {  // no thread to be had
         shared_->count.leave(address, lane);
         refuse(socket);
     }

@@ -35,6 +35,7 @@ class AcceptLoop {
   private:
     struct Shared;  // outlives the loop with the last of its connections
     void accept_one(int listening_socket);
+    void take(int socket);
 
     std::shared_ptr<Shared> shared_;
 };
