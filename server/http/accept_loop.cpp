@@ -33,7 +33,7 @@ struct AcceptLoop::Shared {
             Connection connection(socket, limits, is_stopping);
             const Listed listed(*this, socket);  // for as long as the number is its own
             conversation(connection, lane);
-        } catch (const std::exception&) {
+        } catch (...) {
         }
         count.leave(address, lane);
     }
