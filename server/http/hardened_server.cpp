@@ -9,6 +9,7 @@
 #include <array>
 #include <cstring>
 #include <exception>
+#include <stdexcept>
 
 namespace patchlight::server {
 namespace {
@@ -91,10 +92,12 @@ class OpenedServer final : public httplib::Server {
     void process(httplib::Stream& stream) { process_with(*this, stream); }
 
   private:
-    /// Ranges multiply an answer, compression multiplies the work; the others are dealt with here.
+    /// What the library would act upon: ranges multiply an answer, compression multiplies the work
+    /// or the body, forms are parsed. The application has the fields as they were sent.
     static void drop_fields(httplib::Request& request) {
         request.ranges.clear();
-        for (const char* name : {"Range", "Accept-Encoding", "Expect", "Connection"})
+        for (const char* name : {"Range", "Accept-Encoding", "Content-Encoding", "Content-Type",
+                                 "Expect", "Connection"})
             request.headers.erase(name);
     }
 
@@ -261,7 +264,10 @@ class HardenedServer::Library {
 };
 
 HardenedServer::HardenedServer(HttpApplication& application, const HttpLimits& limits)
-    : library_(std::make_unique<Library>(application, limits)) {}
+    : library_(std::make_unique<Library>(application, limits)) {
+    if (!library_layout_matches())
+        throw std::logic_error("cpp-httplib was built with other macros than this program");
+}
 
 HardenedServer::~HardenedServer() = default;
 

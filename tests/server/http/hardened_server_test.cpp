@@ -156,6 +156,21 @@ TEST(HardenedServer, MultipliesNothingForRangesOrCompression) {
     EXPECT_EQ(answer.field("content-encoding"), "");
 }
 
+TEST(HardenedServer, HandsBodiesOnAsTheyAre) {
+    TestServer server;
+    const std::string part =
+        "--x\r\nContent-Disposition: form-data; name=\"a\"; filename*=" + std::string(7900, 'f') +
+        "\r\n\r\nbody\r\n--x--\r\n";
+    for (const char* fields :
+         {"Content-Encoding: gzip\r\n", "Content-Encoding: br\r\n",
+          "Content-Type: multipart/form-data; boundary=x\r\n", "Content-Type: multipart/x\r\n",
+          "Content-Type: application/x-www-form-urlencoded\r\n"}) {
+        const RawAnswer answer = ask(server.port(), post("/echo", part + part, fields));
+        EXPECT_EQ(answer.status, 200) << fields;
+        EXPECT_EQ(answer.body, part + part) << fields;
+    }
+}
+
 TEST(HardenedServer, ShowsNoExceptionToTheClient) {
     TestServer server;
     for (const std::string path : {"/throw", "/throw-number"})
