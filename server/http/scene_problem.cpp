@@ -1,5 +1,6 @@
 #include "server/http/scene_problem.h"
 
+#include "server/input_errors.h"
 #include "server/json_document.h"
 
 #include <stdexcept>
@@ -40,7 +41,10 @@ Problem json_problem(const JsonError& error) {
 }
 
 Json error_list(const InputError& error) {
-    return Json::array({{{"pointer", error.pointer()}, {"detail", error.what()}}});
+    Json list = Json::array();
+    for (const InputFault& fault : faults_of(error))
+        list.push_back({{"pointer", fault.pointer}, {"detail", fault.detail}});
+    return list;
 }
 
 }  // namespace

@@ -95,6 +95,16 @@ TEST_F(BadScenes, JsonThatIsNoScene) {
     expect_pointer(scene_with("/objects/0", mesh), "/objects/0/mesh/faces/0/2");
 }
 
+TEST_F(BadScenes, SeveralMistakesAreToldTogether) {
+    auto scene = nlohmann::json::parse(quick_scene());
+    scene["cameras"][1]["size"] = {0, 0};
+    scene["solve"]["rays"] = -1;
+    scene["materials"]["white"] = {{"reflectance", 2}};
+    const auto document = problem(scene.dump(), 422);
+    EXPECT_EQ(document["errors"].size(), 3U) << document.dump(2);
+    EXPECT_EQ(document["pointer"], document["errors"][0]["pointer"]);
+}
+
 TEST_F(BadScenes, MoreThanTheServerGives) {
     const auto sensors = nlohmann::json::parse(
         R"([{"name": "g", "grid": {"origin": [0,0,0.5], "u": [1,0,0], "v": [0,1,0],
