@@ -17,14 +17,52 @@ constexpr int least_resolution = 16;
 /// k² parts leave a proximity error of about (edge / distance)² / (3 k²), measured on facing
 /// squares and corners: so many times edge / distance leave two percent.
 constexpr double parts_by_nearness = 4.0;
-constexpr double proximity = 1.0 / 3.0;
 /// The near depth, as a share of the patch's edge: a neighbour nearer than that is not seen.
 constexpr double nearest_seen = 1e-6;
-/// Of n cells some 4 sqrt(n) lie on a patch's edge, each in error by a twelfth of its square;
-/// neighbouring ones together, which makes it about twice that (measured on turned squares).
-constexpr double edge_cells = 2.0 / 3.0;
 
 double edge_length(const Patch& patch, double scale) { return std::sqrt(patch.area) * scale; }
+
+/// Which way a patch lies from another.
+struct Bearing {
+    Bearing(const Patch& from, const Vec3& normal, const Patch& to, const Vec3& other)
+        : squared(std::max((to.centre - from.centre).squaredNorm(), 1e-12 * from.area)),
+          leaving((to.centre - from.centre).dot(normal) / std::sqrt(squared)),
+          arriving((from.centre - to.centre).dot(other) / std::sqrt(squared)),
+          between(normal.dot(other)) {}
+    double squared;            // distance between centres [m²]
+    double leaving, arriving;  // cosines at the two patches
+    double between;            // cosine of their normals
+};
+
+/// Standard error that k² centres instead of the whole patch leave, relative: a 24th of the
+/// kernel's Laplacian times the part's area, which holds where the target is a patch's width away
+/// or more. Nearer it is less than that, and in gaps of a third of the width about 1 / 4k; both
+/// measured on facing and perpendicular squares.
+double proximity_error(const Patch& from, const Bearing& bearing, int k) {
+    constexpr double nearness_of_gap = 8.0, most_nearness = 0.5;
+    const double nearness = from.area / bearing.squared;
+    if (nearness > nearness_of_gap) return 0.25 / k;
+    const double a = std::max(bearing.leaving, 0.0), b = std::max(bearing.arriving, 1e-3);
+    const double laplacian = std::abs(8.0 - 24.0 * a * a - 8.0 * bearing.between * a / b) / 24.0;
+    return std::clamp(laplacian, 1.0 / 12.0, 1.0) * std::min(nearness, most_nearness) / (k * k);
+}
+
+/// Variance that comes of cells seeing one patch only, relative, of `cells` cells in k² hemicubes.
+/// Of n cells some 4 sqrt(n) lie on a patch's edge, each in error by a twelfth of its square. On
+/// a wall it is more: its upright edges run along the columns of the side faces, so that all the
+/// cells along one are in error together, by a column's share of the width.
+double aliasing_variance(const Bearing& bearing, double width, int resolution, double cells,
+                         int k) {
+    const double on_edges = k / (3.0 * cells * std::sqrt(cells));
+    constexpr double upright = 0.01;  // cosine between normals of which edges still follow columns
+    if (std::abs(bearing.between) > upright) return on_edges;
+    constexpr double columns_per_radian = 2.0 / std::numbers::pi;  // times the resolution
+    const double level = std::max(1.0 - bearing.leaving * bearing.leaving, 1e-3);
+    const double angle =
+        width * std::max(bearing.arriving, 1e-6) / (std::sqrt(bearing.squared) * level);
+    const double columns = columns_per_radian * resolution * std::min(angle, std::numbers::pi);
+    return on_edges + std::min(1.0 / columns, 1.0 / (6.0 * columns * columns)) / (k * k);
+}
 
 }  // namespace
 
@@ -44,6 +82,7 @@ HemicubeEngine::HemicubeEngine(const Scene& scene, const PatchMesh& mesh, const 
                                                 std::min(least_resolution, settings.resolution),
                                                 settings.resolution));
     }
+    for (const Surface& surface : scene.surfaces) normals_.push_back(surface.normal);
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         const SurfaceIndex s = mesh.patches[i].surface;
         samplers_.push_back(make_sampler(mesh, i, scene.surfaces[s].normal, ray_scene));
@@ -114,12 +153,12 @@ int HemicubeEngine::sub_samples(PatchIndex i) const {
 }
 
 double HemicubeEngine::variance(PatchIndex i, PatchIndex j, int k, const Tally& tally) const {
-    const double factor = tally.share[j], cells = tally.cells[j];
-    const double aliasing = edge_cells * factor * factor / (cells * std::sqrt(cells));
     const Patch &from = mesh_.patches[i], &to = mesh_.patches[j];
-    const double squared = std::max((to.centre - from.centre).squaredNorm(), from.area / 4.0);
-    const double near = proximity * factor * std::min(1.0, from.area / squared) / (k * k);
-    return aliasing + near * near;
+    const Bearing bearing(from, normals_[from.surface], to, normals_[to.surface]);
+    const double near = proximity_error(from, bearing, k);
+    const double aliasing =
+        aliasing_variance(bearing, std::sqrt(to.area), cells_for(k).width(), tally.cells[j], k);
+    return tally.share[j] * tally.share[j] * (aliasing + near * near);
 }
 
 void HemicubeEngine::row(PatchIndex i, FactorRow& row) const {

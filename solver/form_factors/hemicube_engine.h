@@ -59,7 +59,8 @@ class HemicubeEngine final : public FormFactorEngine {
     PatchLocator locator_;
     std::vector<HemicubeCells> cells_;  // for k = 1, 2, …
     std::vector<PatchSampler> samplers_;
-    std::vector<float> lift_;  // [ray space]
+    std::vector<float> lift_;    // [ray space]
+    std::vector<Vec3> normals_;  // of surfaces
 };
 
 }  // namespace patchlight

@@ -1,33 +1,12 @@
 #include "solver/form_factors/exchange_matrix.h"
 #include "tests/physics/rooms.h"
+#include "tests/slope.h"
 
 #include <cmath>
 
 namespace patchlight {
 
 namespace {
-
-/// Slope of log y over log x by least squares, and its standard error.
-struct Slope {
-    double value = 0.0, error = 0.0;
-};
-Slope fit(const std::vector<double>& x, const std::vector<double>& y) {
-    const double n = static_cast<double>(x.size());
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        const double a = std::log(x[k]), b = std::log(y[k]);
-        sx += a, sy += b, sxx += a * a, sxy += a * b;
-    }
-    const double spread = sxx - sx * sx / n;
-    Slope slope;
-    slope.value = (sxy - sx * sy / n) / spread;
-    const double level = (sy - slope.value * sx) / n;
-    double misfit = 0.0;
-    for (std::size_t k = 0; k < x.size(); ++k)
-        misfit += std::pow(std::log(y[k]) - level - slope.value * std::log(x[k]), 2);
-    slope.error = std::sqrt(misfit / (n - 2.0) / spread);
-    return slope;
-}
 
 /// The Cornell box with its blocks as boxes, white walls, in metres: a lamp of 5 under the ceiling.
 Scene cornell_like() {
@@ -86,7 +65,7 @@ TEST(Convergence, RayCastErrorFallsAtLeastAsIndependentRaysWould) {
         rays.push_back(count);
         errors.push_back(std::sqrt(mean_square));
     }
-    const Slope slope = fit(rays, errors);
+    const Slope slope = fit_slope(rays, errors);
     RecordProperty("slope", std::to_string(slope.value));
     EXPECT_LT(slope.value, -0.5 + band(slope)) << "independent rays: -1/2";
     EXPECT_GT(slope.value, -1.0 - band(slope))
@@ -113,7 +92,7 @@ TEST(Convergence, MeanRadiosityFallsAsTheSquareOfThePatchSize) {
         sizes.push_back(*settings.patch_size);
         errors.push_back(std::abs(power - converged));
     }
-    const Slope slope = fit(sizes, errors);
+    const Slope slope = fit_slope(sizes, errors);
     RecordProperty("slope", std::to_string(slope.value));
     EXPECT_NEAR(slope.value, 2.0, band(slope));
 }
@@ -137,7 +116,7 @@ TEST(Convergence, RadiosityOfTheCornellBoxSettlesWithPatchSize) {
         sizes.push_back(patch_size);
         errors.push_back(std::sqrt(squared));
     }
-    const Slope slope = fit(sizes, errors);
+    const Slope slope = fit_slope(sizes, errors);
     RecordProperty("slope", std::to_string(slope.value));
     EXPECT_GT(slope.value, 1.0 - band(slope)) << "shadow edges cost piecewise constants one order";
     EXPECT_LT(slope.value, 2.5 + band(slope));
