@@ -70,7 +70,7 @@ class Shooter {
         double unshot = 0.0, emitted = 0.0, bound = 0.0, reflected = 0.0;
         state_.residual = 0.0;
         for (std::size_t c = 0; c < problem_.channels(); ++c) {
-            double left = 0.0, left_squared = 0.0, given = 0.0, given_squared = 0.0, darkest = 0.0;
+            double left = 0.0, left_squared = 0.0, given = 0.0, given_squared = 0.0, whitest = 0.0;
             for (PatchIndex i = 0; i < problem_.size(); ++i) {
                 const double a = problem_.area[i], u = state_.unshot[c][i],
                              e = problem_.exitance[c][i];
@@ -78,14 +78,15 @@ class Shooter {
                 left_squared += a * u * u;
                 given += a * e;
                 given_squared += a * e * e;
-                darkest = std::max(darkest, problem_.reflectance[c][i]);
+                whitest = std::max(whitest, problem_.reflectance[c][i]);
                 reflected +=
                     luminance_weight(c, problem_.channels()) * a * (state_.radiosity[c][i] - e);
             }
             const double w = luminance_weight(c, problem_.channels());
             unshot += w * left;
             emitted += w * given;
-            bound += w * left / (1.0 - darkest);
+            // ΔB itself is in B already; what it will bring is ρ/(1 − ρ) of it at most.
+            bound += w * left * whitest / (1.0 - whitest);
             if (given_squared > 0.0)
                 state_.residual =
                     std::max(state_.residual, std::sqrt(left_squared / given_squared));

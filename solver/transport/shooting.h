@@ -29,8 +29,8 @@ struct ShotSoFar {
     double residual = 0.0;  // largest ‖ΔB_c‖ / ‖E_c‖ over channels, ‖x‖ = √(Σ A x²) [1]
     double unshot_share = 0.0;  // Σ A ΔB / Σ A E, luminance [1]
     /// Rigorous bound of the relative error against the rows as used, in the norm Σ A |x| in which
-    /// shots are bounded whether or not rows are reciprocal: b = Σ w_c ‖ΔB_c‖ / (1 − max ρ_c) over
-    /// (‖Y(B − E)‖ − b); absent while that is not positive.
+    /// shots are bounded whether or not rows are reciprocal: b = Σ w_c ‖ΔB_c‖ q_c / (1 − q_c), q_c
+    /// = max ρ_c, over (‖Y(B − E)‖ − b); absent while that is not positive.
     std::optional<double> algebraic_bound;
 };
 
