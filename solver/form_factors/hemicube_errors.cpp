@@ -23,6 +23,20 @@ std::vector<double> dense(const FactorRow& row, std::size_t n) {
     return factors;
 }
 
+/// Sums over patches of what one row is off by, and why.
+struct Parts {
+    double aliasing = 0.0, proximity = 0.0, total = 0.0;
+    void add(const Parts& other) {
+        aliasing += other.aliasing;
+        proximity += other.proximity;
+        total += other.total;
+    }
+    double rest() const {
+        return std::sqrt(
+            std::max(0.0, total * total - aliasing * aliasing - proximity * proximity));
+    }
+};
+
 struct Bench {  // what the sample is measured with
     const Scene& scene;
     const PatchMesh& mesh;
@@ -57,17 +71,20 @@ struct Bench {  // what the sample is measured with
         const std::vector<double> a = dense(seen, n), b = dense(otherwise, n),
                                   exact = dense(reference, n), centre = centre_factors(i);
         std::vector<double> whole(n, 0.0);  // with nothing between
-        for (std::size_t k = 0; k < reference.columns.size(); ++k)
+        std::vector<bool> open(n, false);   // nothing is between
+        for (std::size_t k = 0; k < reference.columns.size(); ++k) {
             whole[reference.columns[k]] = reference.ceiling[k];
-        double aliasing = 0.0, proximity = 0.0, total = 0.0;
-        for (std::size_t j = 0; j < n; ++j) {
-            aliasing += std::abs(a[j] - b[j]) / std::sqrt(2.0);
-            const double visible = whole[j] > 0.0 ? exact[j] / whole[j] : 0.0;
-            proximity += visible * std::abs(centre[j] - whole[j]);
-            total += std::abs(a[j] - exact[j]);
+            open[reference.columns[k]] = reference.factors[k] == reference.ceiling[k];
         }
-        const double rest = total * total - aliasing * aliasing - proximity * proximity;
-        return {0.5 * proximity, 0.5 * std::sqrt(std::max(0.0, rest)), 0.5 * aliasing};
+        Parts all, hidden;  // of all patches, and of those that something hides in part or whole
+        for (std::size_t j = 0; j < n; ++j) {
+            const double visible = whole[j] > 0.0 ? exact[j] / whole[j] : 0.0;
+            const Parts part{std::abs(a[j] - b[j]) / std::sqrt(2.0),
+                             visible * std::abs(centre[j] - whole[j]), std::abs(a[j] - exact[j])};
+            all.add(part);
+            if (!open[j]) hidden.add(part);
+        }
+        return {0.5 * all.proximity, 0.5 * hidden.rest(), 0.5 * all.aliasing};
     }
 };
 

@@ -8,7 +8,8 @@ namespace patchlight {
 /// Takes the error of hemicubes apart on a sample of patches. Aliasing: two hemicubes turned
 /// otherwise, half the mean square of their difference. Proximity: exact factors of the parts'
 /// centres against exact factors of the whole patch, nothing between, as far as the target is seen.
-/// Visibility: what is left of the distance to analytic factors with visibility by rays.
+/// Visibility: what is left of the distance to analytic factors with visibility by rays, of those
+/// patches that something hides; 0 where nothing is in the way.
 HemicubeErrors estimate_hemicube_errors(const Scene& scene, const PatchMesh& mesh,
                                         const RayScene& ray_scene,
                                         const HemicubeSettings& settings);
