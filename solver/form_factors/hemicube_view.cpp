@@ -95,14 +95,16 @@ HemicubeView::Directions HemicubeView::draw(const HemicubePose& pose, int face) 
             world(-dy * up)};
 }
 
-bool HemicubeView::is_doubtful(std::span<const std::uint32_t> items, std::size_t cell) const {
+bool HemicubeView::is_doubtful(std::span<const std::uint32_t> items, std::size_t cell,
+                               bool is_top) const {
     const auto width = static_cast<std::size_t>(cells_.width());
     const std::uint32_t item = items[cell];
     const std::size_t column = cell % width;
-    return (column > 0 && items[cell - 1] != item) ||
-           (column + 1 < width && items[cell + 1] != item) ||
-           (cell >= width && items[cell - width] != item) ||
-           (cell + width < items.size() && items[cell + width] != item);
+    const bool last_row = cell + width >= items.size();
+    // At the face's border the neighbour is on another face; below the horizon there is none.
+    if (column == 0 || column + 1 == width || cell < width || (last_row && is_top)) return true;
+    return items[cell - 1] != item || items[cell + 1] != item || items[cell - width] != item ||
+           (!last_row && items[cell + width] != item);
 }
 
 /// Rays through doubtful cells from number `first` on, up to ray_batch; how many.

@@ -55,8 +55,8 @@ class HemicubeScene {
 /// Draws the scene on the faces of hemicubes of one resolution. Of a front and a back that
 /// coincide the front is seen, of coplanar fronts the one listed last. Corners on the screen are
 /// whole multiples of 1/256 cell, so where polygons meet a cell may look past an edge, and light
-/// would cross a wall: cells beside a cell of another polygon are decided by a ray. Not for several
-/// threads.
+/// would cross a wall: cells beside a cell of another polygon, or at the border of a face, are
+/// decided by a ray. Not for several threads.
 class HemicubeView {
   public:
     HemicubeView(const HemicubeScene& scene, const HemicubeCells& cells, const RayScene& rays);
@@ -73,7 +73,7 @@ class HemicubeView {
             const std::vector<double>& shares = face == 0 ? cells_.top() : cells_.side();
             doubtful_.clear();
             for (std::size_t k = 0; k < items.size(); ++k) {
-                if (is_doubtful(items, k)) {
+                if (is_doubtful(items, k, face == 0)) {
                     doubtful_.push_back(k);
                 } else if (items[k] == raster::ItemBuffer::nothing) {
                     visit(shares[k], nullptr);
@@ -107,7 +107,7 @@ class HemicubeView {
     raster::ItemBuffer& buffer(int face) { return face == 0 ? top_ : side_; }
     void choose_triangles(const HemicubePose& pose);
     Directions draw(const HemicubePose& pose, int face);
-    bool is_doubtful(std::span<const std::uint32_t> items, std::size_t cell) const;
+    bool is_doubtful(std::span<const std::uint32_t> items, std::size_t cell, bool is_top) const;
     int cast(const HemicubePose& pose, const Directions& directions, std::size_t first);
 
     const HemicubeScene& scene_;

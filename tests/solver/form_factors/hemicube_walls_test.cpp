@@ -67,6 +67,31 @@ TEST(HemicubeWalls, ATwoSidedPartitionPartsARoom) {
     expect_parted(EngineScene(scene, 0.5), 0.97);
 }
 
+/// Walls and floor run through from room to room, and the patch of a cell follows from where its
+/// line of sight meets them, be it ever so little past the partition's edge: at these turns the
+/// edge is at the border of a face, where a cell's neighbour is on another.
+TEST(HemicubeWalls, APartitionsEdgeAtTheBorderOfAFaceLetsNoLightThrough) {
+    Scene scene = empty_scene();
+    add_box(scene, Vec3::Zero(), Vec3(2, 1, 1), Facing::inwards);
+    add(scene, rectangle(Vec3(0.97, 0, 0), Vec3::UnitY(), Vec3::UnitZ()), two_sided);
+    const EngineScene small(scene, 0.125);
+    const PatchMesh& mesh = small.cut.mesh;
+    const Vec3 beside_the_ceiling(0.672, 0.0, 0.969);
+    PatchIndex i = mesh.first_of_surface[4];  // of the wall y = 0
+    for (PatchIndex other = i; other < mesh.first_of_surface[5]; ++other)
+        if ((mesh.patches[other].centre - beside_the_ceiling).norm() <
+            (mesh.patches[i].centre - beside_the_ceiling).norm())
+            i = other;
+    for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+        HemicubeSettings settings;
+        settings.resolution = 16;
+        settings.seed = seed;
+        const HemicubeEngine engine(small.cut.scene, mesh, small.rays, settings);
+        for (const PatchIndex j : row_of(engine, i).columns)
+            ASSERT_LT(mesh.patches[j].centre.x(), 0.97 + 1e-9) << "seed " << seed;
+    }
+}
+
 class GapsOf : public testing::TestWithParam<double> {};  // share of the patch's edge
 
 /// In the middle of a gap so narrow a patch sees nothing but the other.
