@@ -49,6 +49,7 @@ TEST_P(ClosedScene, UniformReflectanceGivesTheKnownMeans) {
     builder.box("room", builder.material(rho, 0.0), {0, 0, 0}, {1, 1, 1}, true);
     builder.box("float", builder.material(rho, 3.0), {0.3, 0.35, 0.4}, {0.7, 0.6, 0.55}, false);
     SolveSettings settings = settings_of(GetParam());
+    settings.patch_size = 0.125;
     set_rays(settings, 1024);
     const Solution solution = solve(builder.scene, settings);
     double area = 0.0, radiosity = 0.0, irradiance = 0.0, exitance = 0.0;
@@ -71,7 +72,8 @@ TEST_P(ClosedScene, NoLightCrossesASharedWall) {
                     {2 + thickness, 1, 1}, true);
         builder.sensor({1.5, 0.5, 0.5}, -Vec3::UnitX());
         SolveSettings settings = settings_of(GetParam());
-        set_rays(settings, 4096);
+        settings.patch_size = 0.125;
+        set_rays(settings, 1024);
         const Solution solution = solve(builder.scene, settings);
         for (PatchIndex i = 0; i < solution.mesh.size(); ++i) {
             if (scene_object(builder.scene, solution, i) != 1) continue;
@@ -94,6 +96,7 @@ TEST_P(ClosedScene, NoLightCrossesAWallUnderOneCommonFloor) {
     builder.polygon("lamp", builder.material(0.0, 10.0),
                     {{0.3, 0.3, 1}, {0.3, 0.7, 1}, {0.6, 0.7, 1}, {0.6, 0.3, 1}});
     SolveSettings settings = settings_of(GetParam());
+    settings.patch_size = 0.125;
     set_rays(settings, 1024);
     const Solution solution = solve(builder.scene, settings);
     double lit = 0.0;
@@ -117,6 +120,7 @@ TEST_P(ClosedScene, AnyNumberOfThreadsGivesTheSameBytes) {
     builder.box("float", builder.material(0.3, 0.0), {0.2, 0.2, 0.3}, {0.5, 0.4, 0.6}, false);
     builder.sensor({0.1, 0.2, 0.1}, Vec3::UnitZ());
     SolveSettings settings = settings_of(GetParam());
+    settings.patch_size = 0.15;
     set_rays(settings, 512);
     settings.threads = 1;
     const Solution one = solve(builder.scene, settings);

@@ -44,7 +44,9 @@ void expect_furnace(const Scene& scene, const Way& way, double reflectance, doub
         area += a;
         power += a * b;
         squared += a * std::pow(b / exact - 1.0, 2);
-        if (scatter == closure) ASSERT_NEAR(b, exact, closure * exact) << "patch " << i;
+        if (scatter == closure) {
+            ASSERT_NEAR(b, exact, closure * exact) << "patch " << i;
+        }
     }
     EXPECT_GT(seen, solution.mesh.size() * 9 / 10);
     EXPECT_LT(std::sqrt(squared / area), scatter);

@@ -43,6 +43,27 @@ void SceneBuilder::sensor(const Vec3& position, const Vec3& normal) {
         {"s" + std::to_string(scene.sensors.size()), position, normal.normalized()});
 }
 
+Scene cornell_like(bool open) {
+    SceneBuilder builder;
+    const MaterialIndex white = builder.material(0.73, 0.0);
+    constexpr int front = 2, none = -1;
+    builder.box("room", white, {0, 0, 0}, {0.556, 0.5592, 0.5488}, true,
+                Eigen::Isometry3d::Identity(), open ? front : none);
+    builder.polygon("lamp", builder.material(0.78, 5.0),
+                    {{0.213, 0.227, 0.5488},
+                     {0.213, 0.332, 0.5488},
+                     {0.343, 0.332, 0.5488},
+                     {0.343, 0.227, 0.5488}});
+    const auto block = [&](const char* name, double x, double y, double angle, double height) {
+        const Eigen::Isometry3d pose(Eigen::Translation3d(x, y, 0.0) *
+                                     Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+        builder.box(name, white, {-0.08, -0.08, 0}, {0.08, 0.08, height}, false, pose);
+    };
+    block("short", 0.186, 0.169, -0.29, 0.165);
+    block("tall", 0.368, 0.351, 0.3, 0.33);
+    return builder.scene;
+}
+
 std::vector<Way> every_way() {
     std::vector<Way> ways;
     for (const Engine engine : {Engine::analytic, Engine::ray_cast, Engine::hemicube})

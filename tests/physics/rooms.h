@@ -27,6 +27,10 @@ class SceneBuilder {
     Scene scene;
 };
 
+/// The Cornell box with its blocks as boxes, white walls, in metres: a lamp of 5 W/m² under the
+/// ceiling. `open`: without the wall at y = 0.
+Scene cornell_like(bool open = false);
+
 /// How to solve: physics tests run over every one of these.
 struct Way {
     Engine engine = Engine::analytic;
