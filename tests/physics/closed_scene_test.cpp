@@ -72,7 +72,7 @@ TEST_P(ClosedScene, NoLightCrossesASharedWall) {
                     {2 + thickness, 1, 1}, true);
         builder.sensor({1.5, 0.5, 0.5}, -Vec3::UnitX());
         SolveSettings settings = settings_of(GetParam());
-        settings.patch_size = 0.125;
+        settings.patch_size = 0.2;
         set_rays(settings, 1024);
         const Solution solution = solve(builder.scene, settings);
         for (PatchIndex i = 0; i < solution.mesh.size(); ++i) {

@@ -86,7 +86,7 @@ TEST(Convergence, RadiosityOfTheCornellBoxSettlesWithPatchSize) {
         settings.tolerance = 1e-7;
         return solve(scene, settings).objects;
     };
-    const std::vector<ObjectReport> finest = means(0.022);
+    const std::vector<ObjectReport> finest = means(0.025);
     for (const double patch_size : {0.2, 0.1, 0.05}) {
         const std::vector<ObjectReport> coarse = means(patch_size);
         double squared = 0.0;

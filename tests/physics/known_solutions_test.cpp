@@ -68,7 +68,7 @@ void expect_face_means(const Scene& scene, const nlohmann::json& entry, const Wa
                        double emitting_patch_size) {
     SolveSettings settings = settings_of(way);
     settings.patch_size = emitting_patch_size;
-    set_rays(settings, 4096);
+    set_rays(settings, settings.engine == Engine::hemicube ? 48 * 48 : 4096);
     const Solution solution = solve(scene, settings);
     constexpr double face_mean =
         1e-3;  // discretisation 2.3e-4 at 16 patches an edge (s-d06), and as much by rays
@@ -105,7 +105,7 @@ TEST_P(LitCube, MeetsFaceMeansOfACeilingLight) {
     Scene& scene = builder.scene;
     SolveSettings settings = settings_of(GetParam());
     settings.patch_size = 1.0 / 16;
-    set_rays(settings, 4096);
+    set_rays(settings, settings.engine == Engine::hemicube ? 48 * 48 : 4096);
     const Solution solution = solve(scene, settings);
     const nlohmann::json entry = reference_case("solutions.json", "s-d07");
     constexpr double face_mean = 1e-3;
