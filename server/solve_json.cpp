@@ -87,8 +87,7 @@ void read_sampling(KeyReader& each, double metres, SolveSettings& settings) {
         settings.rays = static_cast<int>(value.whole_number(1, most_rays));
     });
     each("hemicube_resolution", [&](const JsonValue& value) {
-        settings.hemicube_resolution =
-            static_cast<int>(value.whole_number(2, most_hemicube_cells));
+        settings.hemicube_resolution = static_cast<int>(value.whole_number(2, most_hemicube_cells));
     });
     each("seed", [&](const JsonValue& value) { settings.seed = value.unsigned_number(); });
 }

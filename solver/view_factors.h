@@ -33,7 +33,7 @@ struct GroupFactors {
 
 struct ViewFactorReport {
     Status status = Status::converged;  // else there are no rows, or not all
-    SolveSettings settings;  // with every choice made; no solver is among them
+    SolveSettings settings;             // with every choice made; no solver is among them
     std::size_t patches = 0;
     bool streamed = false;  // rows came one by one and were closed each on its own
     FormFactorReport form_factors;
