@@ -10,8 +10,14 @@ namespace patchlight {
 
 namespace {
 
-constexpr int most_samples = 4096;  // of one pair
+constexpr int most_samples = 4096;      // of one pair
+constexpr int points_in_a_row = 16384;  // after which they are scrambled anew
 constexpr int penumbra_effort = 8;  // times as many where the first samples of neighbours disagree
+
+/// Rounded up to whole packets.
+int samples_for(double wanted) {
+    return static_cast<int>(std::min(std::ceil(wanted / four), 1e6)) * four;
+}
 
 }  // namespace
 
@@ -24,7 +30,7 @@ AnalyticEngine::AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const 
       exchange_(scene, mesh, groups_),
       blockers_(scene, mesh, groups_),
       outside_rays_(scene, mesh, ray_scene, settings.outside_rays, mix(settings.seed, 0x6f7574)),
-      visibility_(outside_rays_.rays(), ray_scene, most_samples, mix(settings.seed, 0x766973)) {}
+      visibility_(outside_rays_.rays(), ray_scene, points_in_a_row, mix(settings.seed, 0x766973)) {}
 
 std::vector<VisibilityQuery> AnalyticEngine::first_queries(const FactorRow& row,
                                                            PatchIndex i) const {
@@ -39,27 +45,36 @@ std::vector<VisibilityQuery> AnalyticEngine::first_queries(const FactorRow& row,
         total += query.share;
         queries.push_back(query);
     }
+    int taken = 0;  // points of the row's one sequence
     for (VisibilityQuery& query : queries) {
-        const int wanted = static_cast<int>(std::lround(settings_.rays * query.share / total));
-        query.count =
-            std::clamp((wanted + four - 1) / four * four, four, most_samples / penumbra_effort);
+        query.count = std::clamp(samples_for(settings_.rays * query.share / total), four,
+                                 most_samples / penumbra_effort);
+        query.first = taken;
+        taken += query.count;
     }
     return queries;
 }
 
 void AnalyticEngine::refine(std::vector<VisibilityQuery>& queries) const {
     std::vector<FirstLook> looks;
+    double total = 0.0;
+    for (const VisibilityQuery& query : queries) total += query.share;
+    const double per_share = settings_.rays / total;
     for (const VisibilityQuery& query : queries)
         looks.push_back(
             {groups_.of_surface[mesh_.patches[query.j].surface], query.clear, query.taken});
     const std::vector<bool> chosen = in_penumbra(looks);
     std::vector<VisibilityQuery> more;
     std::vector<std::size_t> places;
+    int taken = queries.back().first + queries.back().count;
     for (std::size_t q = 0; q < queries.size(); ++q) {
         if (!chosen[q]) continue;
         more.push_back(queries[q]);
-        more.back().first = queries[q].count;
-        more.back().count = (penumbra_effort - 1) * queries[q].count;
+        more.back().first = taken;
+        more.back().count =
+            std::clamp(samples_for((penumbra_effort - 1) * queries[q].share * per_share), four,
+                       (penumbra_effort - 1) * queries[q].count);
+        taken += more.back().count;
         places.push_back(q);
     }
     visibility_.measure(more);

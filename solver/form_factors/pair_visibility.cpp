@@ -22,10 +22,10 @@ double VisibilityQuery::variance() const {
 }
 
 PairVisibility::PairVisibility(const HemisphereRays& samplers, const RayScene& ray_scene,
-                               int most_samples, std::uint64_t seed)
+                               int points, std::uint64_t seed)
     : samplers_(samplers),
       ray_scene_(ray_scene),
-      points_(static_cast<std::size_t>(most_samples)),
+      points_(static_cast<std::size_t>(points)),
       seed_(seed) {}
 
 void PairVisibility::trace(Packet& packet, std::vector<VisibilityQuery>& queries) const {
@@ -44,20 +44,31 @@ void PairVisibility::trace(Packet& packet, std::vector<VisibilityQuery>& queries
     packet.size = 0;
 }
 
+std::array<std::uint32_t, 4> PairVisibility::scrambles(PatchIndex i, int turn) const {
+    const std::uint64_t a = mix(seed_, (std::uint64_t{i} << 32) | static_cast<std::uint32_t>(turn)),
+                        b = mix(a, 1);
+    return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32),
+            static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(b >> 32)};
+}
+
 void PairVisibility::measure(std::vector<VisibilityQuery>& queries) const {
     Packet packet;
+    const int wrap = static_cast<int>(points_.size());
     for (std::uint32_t q = 0; q < queries.size(); ++q) {
         const VisibilityQuery& query = queries[q];
-        const PatchIndex low = std::min(query.i, query.j), high = std::max(query.i, query.j);
-        const std::uint64_t a = mix(seed_, (std::uint64_t{low} << 32) | high), b = mix(a, 1);
-        const std::array<std::uint32_t, 4> seeds{
-            static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32),
-            static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(b >> 32)};
-        const PatchSampler &from = samplers_.sampler(low), &to = samplers_.sampler(high);
-        const PairEnds ends{from, to, samplers_.lift(low) * from.normal,
-                            samplers_.lift(high) * to.normal, seeds};
+        const PatchSampler &from = samplers_.sampler(query.i), &to = samplers_.sampler(query.j);
+        PairEnds ends{from,
+                      to,
+                      samplers_.lift(query.i) * from.normal,
+                      samplers_.lift(query.j) * to.normal,
+                      {}};
+        int turn = -1;
         for (int n = query.first; n < query.first + query.count; n += four) {
-            make_four_samples(ends, points_, n, packet.size, packet.segments, packet.weight);
+            if (n / wrap != turn) {
+                turn = n / wrap;
+                ends.seeds = scrambles(query.i, turn);
+            }
+            make_four_samples(ends, points_, n % wrap, packet.size, packet.segments, packet.weight);
             packet.query[packet.size / four] = q;
             packet.size += four;
             if (packet.size == ray_batch) trace(packet, queries);
