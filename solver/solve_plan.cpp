@@ -46,10 +46,14 @@ void refuse_idle(const SolveSettings& settings) {
                          "the form factors \"hemicube\" cast no rays; give `hemicube_resolution`");
 }
 
-std::string engine_reason(Engine asked, bool with_resolution) {
+std::string engine_reason(Engine asked, Engine chosen) {
     switch (asked) {
         case Engine::automatic:
-            if (with_resolution) return "Hemicube form factors, for their resolution is given";
+            if (chosen == Engine::hemicube)
+                return "Hemicube form factors, for their resolution is given";
+            if (chosen == Engine::ray_cast)
+                return "Ray-cast form factors, for the matrix of so many patches would not fit in "
+                       "memory";
             return "Analytic form factors, for they are exact where nothing blocks and rays are "
                    "cast only where something may";
         case Engine::analytic:
@@ -77,6 +81,22 @@ std::uint64_t machine_memory() {
                                       static_cast<double>(page));
 }
 
+/// What is left to choose of engine and method. Shooting on rays takes over where a matrix would
+/// not fit: its rows cost no more where there are more patches.
+void choose_method(const Scene& scene, SolveSettings& s) {
+    const bool is_free = s.engine == Engine::automatic && s.method == Method::automatic &&
+                         !s.hemicube_resolution && !s.ambient;
+    if (s.engine == Engine::automatic)
+        s.engine = s.hemicube_resolution ? Engine::hemicube : Engine::analytic;
+    if (s.method == Method::automatic)
+        s.method = s.ambient.value_or(false) ? Method::shooting : Method::gauss_seidel;
+    if (!is_free) return;
+    const std::size_t patches = estimate_patch_count(scene, *s.patch_size);
+    if (estimate_memory(scene, patches, s) <= *s.memory_limit) return;
+    s.engine = Engine::ray_cast;
+    s.method = Method::shooting;
+}
+
 }  // namespace
 
 SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
@@ -84,13 +104,10 @@ SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
     refuse_idle(settings);
     SolvePlan plan{settings, ""};
     SolveSettings& s = plan.settings;
-    plan.why = engine_reason(s.engine, s.hemicube_resolution.has_value());
-    if (s.engine == Engine::automatic)
-        s.engine = s.hemicube_resolution ? Engine::hemicube : Engine::analytic;
-    if (s.method == Method::automatic)
-        s.method = s.ambient.value_or(false) ? Method::shooting : Method::gauss_seidel;
-    const bool shoots = s.method == Method::shooting;
     if (!s.patch_size) s.patch_size = default_patch_size(scene);
+    if (!s.memory_limit) s.memory_limit = machine_memory();
+    choose_method(scene, s);
+    const bool shoots = s.method == Method::shooting;
     if (!s.rays && s.engine != Engine::hemicube)
         s.rays = s.engine == Engine::analytic ? default_analytic_rays : default_cast_rays;
     if (!s.hemicube_resolution && s.engine == Engine::hemicube)
@@ -98,10 +115,9 @@ SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
     if (!s.tolerance) s.tolerance = default_tolerance;
     if (!s.max_iterations) s.max_iterations = shoots ? default_shots : default_iterations;
     if (!s.ambient && shoots) s.ambient = true;
-    if (!s.memory_limit) s.memory_limit = machine_memory();
     if (s.threads <= 0)
         s.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    plan.why += method_reason(scene, s.method);
+    plan.why = engine_reason(settings.engine, s.engine) + method_reason(scene, s.method);
     return plan;
 }
 

@@ -12,7 +12,7 @@ namespace patchlight {
 namespace {
 
 constexpr double most_work =
-    3e9;  // tests of a blocker against a pair, beyond which rays are cheaper
+    1e8;  // tests of a blocker against a pair, about a second; beyond, rays are cheaper
 constexpr double in_plane = 1e-9;  // of the scene's size: touching a plane is not crossing it [1]
 
 struct Interval {
@@ -104,7 +104,7 @@ BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh, const Plan
     const std::size_t n = clusters.size(), planes = groups.size();
     const double pairs = static_cast<double>(planes) * static_cast<double>(planes);
     if (pairs * static_cast<double>(planes) > most_work ||
-        static_cast<double>(n) * static_cast<double>(n) * 4.0 > most_work) {
+        static_cast<double>(n) * static_cast<double>(n) > most_work) {
         always_ = true;
         return;
     }

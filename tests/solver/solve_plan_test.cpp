@@ -70,6 +70,18 @@ TEST(PlanSolve, MakesEveryChoice) {
     EXPECT_FALSE(plan.why.empty());
 }
 
+TEST(PlanSolve, ShootsWhereTheMatrixWouldNotFit) {
+    SolveSettings settings;
+    settings.patch_size = 0.01;  // 60 000 patches
+    settings.memory_limit = std::uint64_t{1} << 30;
+    const SolvePlan plan = plan_solve(room(), settings);
+    EXPECT_EQ(plan.settings.method, Method::shooting);
+    EXPECT_EQ(plan.settings.engine, Engine::ray_cast);
+    EXPECT_NE(plan.why.find("would not fit"), std::string::npos) << plan.why;
+    settings.method = Method::gauss_seidel;
+    EXPECT_EQ(plan_solve(room(), settings).settings.method, Method::gauss_seidel);
+}
+
 TEST(PlanSolve, KeepsWhatIsGiven) {
     SolveSettings given;
     given.engine = Engine::ray_cast;
