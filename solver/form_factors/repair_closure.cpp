@@ -21,7 +21,7 @@ struct Uncertain {
     std::vector<std::size_t> start;
     std::vector<PatchIndex> column;
     std::vector<float> variance;
-    std::vector<double> diagonal;
+    std::vector<double> diagonal;  // 0: the row cannot change, or cannot be closed
 
     explicit Uncertain(const ExchangeMatrix& matrix)
         : start(matrix.size() + 1, 0), diagonal(matrix.size(), 0.0) {
@@ -42,6 +42,32 @@ struct Uncertain {
             const double outside = matrix.backs_variance[i] + matrix.escaped_variance[i];
             diagonal[i] =
                 diagonal[i] * (1.0 + regularisation) + outside * matrix.area[i] * matrix.area[i];
+        }
+        leave_out_hopeless_rows(matrix);
+    }
+    /// Rows that no allowed change closes, as where surfaces pass through each other. To ask for it
+    /// all the same would push their neighbours away without end.
+    void leave_out_hopeless_rows(const ExchangeMatrix& matrix) {
+        std::vector<double> least(matrix.size(), 0.0), most(matrix.size(), 0.0);
+        for (PatchIndex i = 0; i < matrix.size(); ++i)
+            for (std::size_t k = matrix.start[i]; k < matrix.start[i + 1]; ++k) {
+                const bool fixed = matrix.variance[k] == 0.0f;
+                const double low = fixed ? static_cast<double>(matrix.exchange[k]) : 0.0;
+                const double high =
+                    fixed ? low
+                          : static_cast<double>(std::max(matrix.ceiling[k], matrix.exchange[k]));
+                for (const PatchIndex row : {i, matrix.column[k]})
+                    least[row] += low, most[row] += high;
+            }
+        for (std::size_t i = 0; i < matrix.size(); ++i) {
+            const double a = matrix.area[i], slack = 1e-6 * a;
+            for (const auto& [share, variance] :
+                 {std::pair(matrix.backs[i], matrix.backs_variance[i]),
+                  {matrix.escaped[i], matrix.escaped_variance[i]}}) {
+                least[i] += variance > 0.0 ? 0.0 : share * a;
+                most[i] += variance > 0.0 ? a : share * a;
+            }
+            if (least[i] > a + slack || most[i] < a - slack) diagonal[i] = 0.0;
         }
     }
     template <typename Visit>
