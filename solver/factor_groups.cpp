@@ -1,4 +1,4 @@
-#include "solver/view_factors.h"
+#include "solver/factor_groups.h"
 
 #include <map>
 #include <stdexcept>

@@ -1,27 +1,15 @@
 #pragma once
 
+#include "solver/factor_groups.h"
 #include "solver/mesh/make_patches.h"
 #include "solver/settings.h"
 #include "solver/solution.h"
 
 #include <cstdint>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace patchlight {
-
-/// Between what view factors are told: objects, polygons and mesh faces as they were given, or
-/// patches.
-enum class Grouping : std::uint8_t { object, face, patch };
-
-struct FactorGroups {
-    std::vector<std::string> names;  // paths, faces of several as path[k]; empty: known by index
-    std::vector<double> areas;       // both sides of two-sided ones [m²]
-    std::vector<std::vector<PatchIndex>> patches;  // of each group, ascending
-    std::vector<std::uint32_t> of_patch;
-};
-FactorGroups make_factor_groups(const Scene& scene, const PatchMesh& mesh, Grouping grouping);
 
 /// Factors from one group to those it sees, ascending: Σ A_i F_ij / Σ A_i over its patches i and
 /// the other's j. `errors`: one standard error, absolute, that of the quadrature included.
