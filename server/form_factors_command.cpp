@@ -16,6 +16,7 @@
 #include "server/thread_limit.h"
 #include "server/version.h"
 #include "server/view_factors_file.h"
+#include "server/wording.h"
 #include "server/wrong_input.h"
 
 #include <CLI/CLI.hpp>
@@ -43,11 +44,27 @@ int tell_unfinished(const ViewFactorReport& report) {
     return limit ? 3 : 130;
 }
 
+Grouping grouping_of(const std::string& name) {
+    const auto found = groupings.find(name);
+    if (found != groupings.end()) return found->second;
+    std::vector<std::string> known;
+    for (const auto& [each, grouping] : groupings) known.push_back(each);
+    throw WrongInput("--by: unknown choice " + in_quotes(name) + suggestion(name, known));
+}
+
+/// Without what steers a solver alone.
+nlohmann::ordered_json settings_of(const ViewFactorReport& report) {
+    nlohmann::ordered_json settings = solve_block(report.settings);
+    for (const char* idle : {"solver", "tolerance", "max_iterations", "ambient"})
+        settings.erase(idle);
+    return settings;
+}
+
 nlohmann::ordered_json stats_of(const ViewFactorReport& report, double seconds) {
     nlohmann::ordered_json stats{{"version", 1},
                                  {"patchlight", program_version()},
                                  {"status", name_of(report.status)},
-                                 {"settings", {{"solve", solve_block(report.settings)}}},
+                                 {"settings", {{"solve", settings_of(report)}}},
                                  {"patches", report.patches},
                                  {"streamed", report.streamed},
                                  {"form_factors", form_factors_block(report.form_factors)}};
@@ -69,8 +86,9 @@ CLI::App* FormFactorsCommand::add_to(CLI::App& program) {
         program.add_subcommand("form-factors", "Compute view factors: who sees how much of whom");
     command->add_option("SCENE", scene_, "scene JSON or geometry file; - for standard input")
         ->required();
-    command->add_option("--by", by_, "object (the default), face or patch")
-        ->check(CLI::IsMember(groupings))
+    command
+        ->add_option("--by", by_,
+                     "object (the default), face (polygons as they were given) or patch")
         ->type_name("NAME");
     command
         ->add_option("--output", output_,
@@ -80,12 +98,14 @@ CLI::App* FormFactorsCommand::add_to(CLI::App& program) {
     command->add_option("--stats", stats_, "JSON of closure, reciprocity, time and memory to write")
         ->type_name("FILE");
     command->add_flag("--quiet", is_quiet_, "no progress and no summary on the terminal");
-    settings_.add_to(*command);
+    constexpr bool solved = false;
+    settings_.add_to(*command, solved);
     return command;
 }
 
 int FormFactorsCommand::run() const {
     const auto start = std::chrono::steady_clock::now();
+    const Grouping grouping = grouping_of(by_);
     check_view_factors_output("--output", output_);
     if (stats_) {
         require_writable("--stats", *stats_);
@@ -98,7 +118,7 @@ int FormFactorsCommand::run() const {
     ViewFactorReport report;
     try {
         settings_.naming_culprit(shown_path(scene_), [&] {
-            const ViewFactorSolver solver(job.scene, job.settings, groupings.at(by_));
+            const ViewFactorSolver solver(job.scene, job.settings, grouping);
             report = find(solver);
         });
     } catch (const Unfinished& unfinished) {
@@ -142,7 +162,10 @@ void FormFactorsCommand::tell(const ViewFactorReport& report, double seconds) co
               << rounded(before.closure_max) << " before repair), row sums "
               << rounded(after.row_sum_min) << " to " << rounded(after.row_sum_max) << "\n";
     if (!report.streamed)
-        std::cerr << "reciproc.: within " << rounded(after.reciprocity_max) << "\n";
+        std::cerr << "reciproc.: "
+                  << (after.reciprocity_max > 0.0 ? "within " + rounded(after.reciprocity_max)
+                                                  : "exact")
+                  << "\n";
     std::cerr << "time:      " << rounded(seconds) << " s (factors "
               << rounded(report.seconds.form_factors) << ", writing "
               << rounded(report.seconds.display) << "), " << report.form_factors.rays

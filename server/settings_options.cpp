@@ -52,18 +52,18 @@ void SettingsOptions::add(CLI::App& command, const std::string& option, const st
         ->group(is_shown ? "Settings (they override the scene's)" : "");
 }
 
-void SettingsOptions::add_to(CLI::App& command) {
+void SettingsOptions::add_to(CLI::App& command, bool solved) {
     constexpr bool text = false;
     constexpr bool number = true;
     constexpr bool hidden = false;
-    add(command, "--solver", "auto, gauss-seidel or shooting", text);
+    add(command, "--solver", "auto, gauss-seidel or shooting", text, solved);
     add(command, "--form-factors", "auto, hemicube, ray-cast or analytic", text);
     add(command, "--accuracy", "relative error wanted", number, hidden);
     add(command, "--patch-size", "longest edge of a patch, in the scene's unit of length", number);
     add(command, "--rays", "rays per patch", number);
     add(command, "--hemicube-resolution", "pixels along the top face of a hemicube", number);
-    add(command, "--tolerance", "bound on the solver's error at which it stops", number);
-    add(command, "--max-iterations", "sweeps, or shots, at most", number);
+    add(command, "--tolerance", "bound on the solver's error at which it stops", number, solved);
+    add(command, "--max-iterations", "sweeps, or shots, at most", number, solved);
     add(command, "--seed", "of the random numbers", number);
     add(command, "--time-limit", "in seconds", number);
     add(command, "--memory-limit", "in bytes", number);

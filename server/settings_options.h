@@ -18,8 +18,9 @@ namespace patchlight::server {
 /// `solve`.
 class SettingsOptions {
   public:
-    /// Has to outlive the command, which writes into it.
-    void add_to(CLI::App& command);
+    /// Has to outlive the command, which writes into it. Where nothing is `solved`, what steers the
+    /// solver alone is understood but not shown.
+    void add_to(CLI::App& command, bool solved = true);
 
     /// Throws WrongInput that names the option.
     void lay_over(Job& job) const;

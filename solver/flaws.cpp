@@ -6,10 +6,15 @@
 
 namespace patchlight {
 
-std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps) {
+std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverlaps& overlaps) {
     std::vector<Finding> findings = scene.findings;
     for (Finding& finding : overlap_findings(scene, overlaps))
         findings.push_back(std::move(finding));
+    return findings;
+}
+
+std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps) {
+    std::vector<Finding> findings = find_geometry_flaws(scene, overlaps);
     const bool lit = std::any_of(
         scene.surfaces.begin(), scene.surfaces.end(),
         [&](const Surface& s) { return (scene.materials[s.material].exitance > 0.0).any(); });

@@ -136,7 +136,7 @@ ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFact
     report.settings = settings_;
     report.settings.method = Method::automatic;
     report.patches = mesh_.size();
-    report.findings = find_flaws(scene_, lines_.overlaps);
+    report.findings = find_geometry_flaws(scene_, lines_.overlaps);
     report.seconds.mesh = mesh_seconds_;
     const RayScene rays(scene_, lines_.overlaps);
     const auto engine = make_engine(scene_, mesh_, rays, settings_);
