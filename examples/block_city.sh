@@ -4,7 +4,11 @@
 #   examples/block_city.sh [BLOCKS_ALONG_AN_EDGE] > city.json
 # 30, the default, gives about 22000 facets; 10 gives 2500.
 set -eu
-awk -v n="${1:-30}" '
+blocks=${1:-30}
+case $blocks in
+    *[!0-9]* | '' | 0*) echo "$0: BLOCKS_ALONG_AN_EDGE must be a whole number from 1 on, not '$blocks'" >&2; exit 2 ;;
+esac
+awk -v n="$blocks" '
 function vertex(x, y, z) { printf "%s[%g,%g,%g]", (count++ ? "," : ""), x, y, z }
 # A quad from a corner and two edges, u x v out of its front, cut into nu x nv facets.
 function quad(x, y, z, ux, uy, uz, vx, vy, vz, nu, nv,   i, j, first) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs every `patchlight ...` and `curl ...` line of README's shell blocks, and solves the scene it
-# shows. `patchlight serve` runs until the end, on a port that is free.
+# Runs every `patchlight ...`, `curl ...` and `examples/block_city.sh ...` line of README's shell blocks,
+# and solves the scene it shows. `patchlight serve` runs until the end, on a port that is free.
 # Usage: check_readme.sh README.md PATCHLIGHT
 set -euo pipefail
 readme=$(realpath "$1")
@@ -35,7 +35,7 @@ while IFS= read -r line; do
     esac
     run=$((run + 1))
 done < <(awk '/^```sh/ {in_block = 1; next} /^```/ {in_block = 0} in_block' "$readme" |
-    sed -n 's/^ *\(build\/release\/server\/\)\{0,1\}\(patchlight .*\|curl .*\)$/\2/p' | sed 's/ *#.*$//')
+    sed -n 's/^ *\(build\/release\/server\/\)\{0,1\}\(patchlight .*\|curl .*\|examples\/block_city.sh .*\)$/\2/p' | sed 's/ *#.*$//')
 head -c 4 cornell.png | grep -q PNG
 
 awk '/^```json/ {in_block = 1; next} /^```/ {in_block = 0} in_block' "$readme" >scene.json
