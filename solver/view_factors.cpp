@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 
 namespace patchlight {
 
@@ -23,6 +24,7 @@ constexpr double most_kept = 2147483648.0;  // [bytes]
 constexpr double kept_share = 0.5;          // of the memory limit
 constexpr double bytes_per_pair = 40.0;     // matrix, its transposed index, and room to grow
 constexpr double quadrature = 3e-7;         // relative error of an analytic factor [1]
+constexpr std::size_t rows_between_steps = 64;
 
 /// Rays per patch unless they are given: what brings the sums of a row over an object within about
 /// half a percent (measured on the Cornell box against 10^7 rays a row). The fewer the patches, the
@@ -107,6 +109,28 @@ std::unique_ptr<FactorRows> keep_rows(const FormFactorEngine& engine, const Scen
     return std::make_unique<KeptRows>(std::move(exchange));
 }
 
+/// Group by group; a large one may be stopped on the way, too. Why it ended.
+StopReason hand_out(FactorRows& rows, Stage stage, const FactorGroups& groups,
+                    const PatchMesh& mesh, const std::function<void(const GroupFactors&)>& take,
+                    Watch& watch) {
+    GroupSum sum(groups, mesh);
+    std::size_t done = 0;
+    for (std::uint32_t g = 0; g < groups.areas.size(); ++g) {
+        const std::span<const PatchIndex> patches = groups.patches[g];
+        for (std::size_t first = 0; first < patches.size(); first += rows_between_steps) {
+            const std::size_t count = std::min(rows_between_steps, patches.size() - first);
+            rows.visit(patches.subspan(first, count),
+                       [&](const FactorRowView& row) { sum.add(row); });
+            done += count;
+            const double fraction = static_cast<double>(done) / static_cast<double>(mesh.size());
+            const StopReason stopped = watch.step({stage, fraction, 0, 0.0});
+            if (stopped != StopReason::tolerance) return stopped;
+        }
+        take(sum.finish(g));
+    }
+    return StopReason::tolerance;
+}
+
 }  // namespace
 
 ViewFactorSolver::ViewFactorSolver(const Scene& scene, const SolveSettings& settings,
@@ -148,18 +172,8 @@ ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFact
         rows = keep_rows(*engine, scene_, mesh_, watch, report);
     report.seconds.form_factors = watch.lap();
     if (!rows) return report;
-    GroupSum sum(groups_, mesh_);
-    for (std::uint32_t g = 0; g < groups_.areas.size(); ++g) {
-        rows->visit(groups_.patches[g], [&](const FactorRowView& row) { sum.add(row); });
-        take(sum.finish(g));
-        const StopReason stopped =
-            watch.step({report.streamed ? Stage::form_factors : Stage::display,
-                        (g + 1.0) / static_cast<double>(groups_.areas.size()), 0, 0.0});
-        if (stopped != StopReason::tolerance) {
-            report.status = status_of(stopped);
-            break;
-        }
-    }
+    const Stage stage = report.streamed ? Stage::form_factors : Stage::display;
+    report.status = status_of(hand_out(*rows, stage, groups_, mesh_, take, watch));
     if (const auto* streamed = dynamic_cast<const StreamedRows*>(rows.get())) {
         report.form_factors.rays = streamed->rays();
         report.form_factors.open = streamed->open();
