@@ -53,6 +53,17 @@ TEST_P(EveryEngineOfViewFactors, MeetsHowellWithinItsError) {
     EXPECT_EQ(table.report.form_factors.hemicube.has_value(), GetParam() == Engine::hemicube);
 }
 
+/// Unit squares 1 apart, half way a square over [0, 0.5]²: by translation symmetry a quarter of all
+/// pairs of points is blocked.
+TEST_P(EveryEngineOfViewFactors, MeetsAPairBlockedByAQuarterWithinItsError) {
+    Scene scene = facing_squares();
+    add(scene, rectangle(Vec3(0, 0, 0.5), 0.5 * Vec3::UnitX(), 0.5 * Vec3::UnitY()), two_sided);
+    const ViewFactorTable table = view_factors(scene, with(GetParam()), Grouping::object);
+    const double exact = 0.75 * parallel_rectangles(1, 1, 1), error = table.errors[0][1];
+    EXPECT_NEAR(table.factors[0][1], exact, 4.0 * error);  // false alarm: 1 in 16 000
+    EXPECT_LT(error, 0.02 * exact) << "of no use";
+}
+
 TEST_P(EveryEngineOfViewFactors, ClosesARoomWithABox) {
     const ViewFactorTable table = view_factors(room_with_box(), with(GetParam()), Grouping::object);
     constexpr double closed = 1e-6;
