@@ -12,6 +12,7 @@ namespace {
 
 constexpr int most_samples = 4096;      // of one pair
 constexpr int points_in_a_row = 16384;  // after which they are scrambled anew
+constexpr std::size_t fewest_on_a_plane = 4;
 constexpr int penumbra_effort = 8;  // times as many where the first samples of neighbours disagree
 
 /// Rounded up to whole packets.
@@ -30,7 +31,23 @@ AnalyticEngine::AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const 
       exchange_(scene, mesh, groups_),
       blockers_(scene, mesh, groups_),
       outside_rays_(scene, mesh, ray_scene, settings.outside_rays, mix(settings.seed, 0x6f7574)),
-      visibility_(outside_rays_.rays(), ray_scene, points_in_a_row, mix(settings.seed, 0x766973)) {}
+      visibility_(outside_rays_.rays(), ray_scene, points_in_a_row, mix(settings.seed, 0x766973)),
+      sheet_(find_sheets(scene)) {}
+
+/// Which patches tell each other of penumbrae: those of a plane, or of an object where planes are
+/// of a few patches each, as on curved surfaces.
+std::vector<std::uint32_t> AnalyticEngine::find_sheets(const Scene& scene) const {
+    std::vector<std::size_t> count(groups_.size(), 0);
+    for (const Patch& patch : mesh_.patches) ++count[groups_.of_surface[patch.surface]];
+    std::vector<std::uint32_t> sheets;
+    for (const Patch& patch : mesh_.patches) {
+        const std::uint32_t group = groups_.of_surface[patch.surface];
+        const auto object =
+            static_cast<std::uint32_t>(groups_.size()) + scene.surfaces[patch.surface].object;
+        sheets.push_back(count[group] < fewest_on_a_plane ? object : group);
+    }
+    return sheets;
+}
 
 std::vector<VisibilityQuery> AnalyticEngine::first_queries(const FactorRow& row,
                                                            PatchIndex i) const {
@@ -61,8 +78,7 @@ void AnalyticEngine::refine(std::vector<VisibilityQuery>& queries) const {
     for (const VisibilityQuery& query : queries) total += query.share;
     const double per_share = settings_.rays / total;
     for (const VisibilityQuery& query : queries)
-        looks.push_back(
-            {groups_.of_surface[mesh_.patches[query.j].surface], query.clear, query.taken});
+        looks.push_back({sheet_[query.j], query.clear, query.taken});
     const std::vector<bool> chosen = in_penumbra(looks);
     std::vector<VisibilityQuery> more;
     std::vector<std::size_t> places;

@@ -30,6 +30,7 @@ class AnalyticEngine final : public FormFactorEngine {
 
   private:
     void fill(PatchIndex i, PatchIndex first, FactorRow& row) const;
+    std::vector<std::uint32_t> find_sheets(const Scene& scene) const;
     std::vector<VisibilityQuery> first_queries(const FactorRow& row, PatchIndex i) const;
     void refine(std::vector<VisibilityQuery>& queries) const;
 
@@ -41,6 +42,7 @@ class AnalyticEngine final : public FormFactorEngine {
     BlockerTable blockers_;
     OutsideRays outside_rays_;
     PairVisibility visibility_;
+    std::vector<std::uint32_t> sheet_;  // of each patch
 };
 
 }  // namespace patchlight

@@ -10,9 +10,10 @@ namespace patchlight {
 
 namespace {
 
-constexpr int most_passes = 20;  // a pass may push entries to their bounds; the next goes without
-constexpr int most_steps = 200;  // of conjugate gradients
-constexpr double closed = 1e-9;  // largest closure defect to stop at [1]
+constexpr int most_passes = 20;    // a pass may push entries to their bounds; the next goes without
+constexpr int most_steps = 200;    // of conjugate gradients
+constexpr double closed = 1e-9;    // largest closure defect to stop at [1]
+constexpr double overfull = 1e-5;  // more than float entries and quadrature make of a full row [1]
 constexpr double regularisation =
     1e-9;  // of a row's variance: pairs that see only each other leave λ undetermined
 
@@ -172,9 +173,25 @@ void add_change(ExchangeMatrix& matrix, const std::vector<double>& multiplier) {
     }
 }
 
-}  // namespace
+/// No patch sends on more than it has: pairs of a row that sums to more than 1 in spite of all are
+/// shrunk, both halves alike, so that solvers stay stable. What is then missing shows as closure.
+void shrink_overfull_rows(ExchangeMatrix& matrix) {
+    std::vector<double> sum(matrix.size(), 0.0);
+    for (PatchIndex i = 0; i < matrix.size(); ++i)
+        for (std::size_t k = matrix.start[i]; k < matrix.start[i + 1]; ++k)
+            for (const PatchIndex row : {i, matrix.column[k]})
+                sum[row] += static_cast<double>(matrix.exchange[k]) / matrix.area[row];
+    const auto share = [&](PatchIndex i) { return sum[i] > 1.0 + overfull ? 1.0 / sum[i] : 1.0; };
+    for (PatchIndex i = 0; i < matrix.size(); ++i)
+        for (std::size_t k = matrix.start[i]; k < matrix.start[i + 1]; ++k) {
+            const double least = std::min(share(i), share(matrix.column[k]));
+            if (least < 1.0)
+                matrix.exchange[k] =
+                    static_cast<float>(least * static_cast<double>(matrix.exchange[k]));
+        }
+}
 
-void repair_closure(ExchangeMatrix& matrix) {
+void close_rows(ExchangeMatrix& matrix) {
     for (int pass = 0; pass < most_passes; ++pass) {
         const Uncertain system(matrix);
         const std::vector<double> defect = closure_defect(matrix);
@@ -182,6 +199,13 @@ void repair_closure(ExchangeMatrix& matrix) {
             return;  // float entries round to 6e-8
         add_change(matrix, solve(matrix, system, defect));
     }
+}
+
+}  // namespace
+
+void repair_closure(ExchangeMatrix& matrix) {
+    close_rows(matrix);
+    shrink_overfull_rows(matrix);
 }
 
 }  // namespace patchlight

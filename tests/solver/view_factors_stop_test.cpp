@@ -55,7 +55,7 @@ TEST(ViewFactorsProgress, StopsAmongTheRows) {
 }
 
 TEST(ViewFactorsProgress, StopsStreamedRowsToo) {
-    const SolveSettings settings = with_little_memory(room(), 0.07);
+    const SolveSettings settings = with_little_memory(room(), 0.045);
     const ViewFactorTable table = view_factors(room(), settings, Grouping::patch,
                                                [](const Progress&) { return Verdict::stop; });
     EXPECT_TRUE(table.report.streamed);
@@ -69,7 +69,7 @@ TEST(ViewFactorsProgress, StopsInTheMiddleOfALargeObject) {
     scene.objects.resize(1);
     double reached = 0.0;
     const ViewFactorTable table = view_factors(
-        scene, with_little_memory(scene, 0.07), Grouping::object, [&](const Progress& progress) {
+        scene, with_little_memory(scene, 0.045), Grouping::object, [&](const Progress& progress) {
             reached = progress.fraction;
             return reached > 0.2 ? Verdict::stop : Verdict::go_on;
         });
