@@ -21,7 +21,7 @@ namespace patchlight {
 namespace {
 
 constexpr double most_kept = 2147483648.0;  // [bytes]
-constexpr double kept_share = 0.5;          // of the memory limit
+constexpr double kept_share = 0.25;         // of the memory limit
 constexpr double bytes_per_pair = 40.0;     // matrix, its transposed index, and room to grow
 constexpr double quadrature = 3e-7;         // relative error of an analytic factor [1]
 constexpr std::size_t rows_between_steps = 64;
@@ -139,8 +139,9 @@ ViewFactorSolver::ViewFactorSolver(const Scene& scene, const SolveSettings& sett
     if (scene.surfaces.empty())
         throw InputError("/objects", "nothing with an area is left to compute factors between");
     Watch watch({}, std::nullopt);
-    settings_ = plan_solve(scene, settings).settings;
-    settings_.method = Method::shooting;  // its memory is that of rows, not of the matrix
+    SolveSettings asked = settings;
+    asked.method = Method::shooting;  // its memory is that of rows, not of the matrix
+    settings_ = plan_solve(scene, asked).settings;
     check_memory(scene, estimate_patch_count(scene, *settings_.patch_size), settings_);
     lines_ = find_mesh_lines(scene);
     mesh_ = make_patches(scene, lines_, *settings_.patch_size);

@@ -30,9 +30,9 @@ struct ViewFactorReport {
 };
 
 /// View factors as a product of their own. As long as the pairs that see each other fit in memory
-/// (2 GiB, or half the memory limit if that is less) they are repaired together, so that rows obey
-/// closure and pairs reciprocity. Beyond, rows are computed one by one, each closed on its own, and
-/// what rays measured is reciprocal to its error only.
+/// (2 GiB, or a quarter of the memory limit if that is less) they are repaired together, so that
+/// rows obey closure and pairs reciprocity. Beyond, rows are computed one by one, each closed on
+/// its own, and what rays measured is reciprocal to its error only.
 class ViewFactorSolver {
   public:
     /// Cuts the patches. Throws as solve_scene does. The scene must outlive it.

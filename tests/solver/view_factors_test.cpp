@@ -174,9 +174,9 @@ TEST(ViewFactors, NeverExceedWhatNothingBetweenWouldLeave) {
 
 TEST(ViewFactors, ThatDoNotFitInMemoryAreStreamedAndAgree) {
     const Scene scene = room_with_box();
-    SolveSettings kept = cut_to(0.045);
+    SolveSettings kept = cut_to(0.05);
     kept.rays = 64;
-    SolveSettings streamed = with_little_memory(scene, 0.045);
+    SolveSettings streamed = with_little_memory(scene, 0.05);
     streamed.rays = 64;
     const ViewFactorTable whole = view_factors(scene, kept, Grouping::object);
     const ViewFactorTable rows = view_factors(scene, streamed, Grouping::object);
