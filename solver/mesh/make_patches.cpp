@@ -15,6 +15,7 @@ namespace patchlight {
 namespace {
 
 constexpr double default_patch_count = 2000.0;
+constexpr double no_area = 1e-12;  // of its surface's: of a patch too narrow for rounding [1]
 
 struct Mesher {
     const Scene& scene;
@@ -31,6 +32,10 @@ struct Mesher {
         const std::span<const Vec3> ring(corners.data(), patch.corner_count());
         const Vec3& normal = scene.surfaces[s].normal;
         patch.area = vector_area(ring).dot(normal);
+        if (!(patch.area > 0.0)) {  // its corners are one, or on one line, to rounding
+            patch.area = no_area * scene.surfaces[s].area;
+            patch.covered = true;
+        }
         patch.centre = centroid(ring, normal);
         mesh.patches.push_back(patch);
     }

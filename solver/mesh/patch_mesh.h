@@ -18,7 +18,8 @@ struct Patch {
     SurfaceIndex surface = 0;
     Vec3 centre = Vec3::Zero();  // centroid [m]
     double area = 0.0;           // [m²]
-    bool covered = false;        // wholly under a coplanar polygon listed later: sees nothing
+    bool covered = false;        // wholly under a coplanar polygon listed later, or too narrow to
+                                 // have an area: sees nothing
 
     bool is_triangle() const { return vertices[3] == vertices[2]; }
     std::size_t corner_count() const { return is_triangle() ? 3 : 4; }

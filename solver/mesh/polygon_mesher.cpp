@@ -158,6 +158,17 @@ std::vector<std::array<std::uint32_t, 2>> crease_edges(const Triangulation& tria
     return edges;
 }
 
+/// By its ends and not by its place: near the tip of a needle all edges are near.
+void cut_edge(Triangulation& triangulation, std::size_t edge, const PolygonOutline& outline) {
+    int from = static_cast<int>(edge);
+    const int to = static_cast<int>((edge + 1) % outline.corners.size());
+    for (const Vec2& p : outline.divisions[edge]) {
+        const std::optional<int> cut = triangulation.split_boundary(from, to, p);
+        assert(cut);
+        from = cut.value_or(from);
+    }
+}
+
 }  // namespace
 
 PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const FlatSegment> creases,
@@ -166,7 +177,7 @@ PolygonMesh mesh_polygon(const PolygonOutline& outline, std::span<const FlatSegm
     assert(triangulation.ok());
     std::vector<FlatSegment> walls;
     for (std::size_t k = 0; k < outline.corners.size(); ++k) {
-        for (const Vec2& p : outline.divisions[k]) triangulation.insert(p);
+        cut_edge(triangulation, k, outline);
         walls.push_back({outline.corners[k], outline.corners[(k + 1) % outline.corners.size()]});
     }
     const std::vector<FlatSegment> inner = insert_creases(triangulation, creases, walls, longest);

@@ -109,6 +109,21 @@ std::optional<int> Triangulation::insert(const Vec2& p) {
     return number;
 }
 
+std::optional<int> Triangulation::split_boundary(int a, int b, const Vec2& p) {
+    for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const Triangle& triangle = triangles_[t];
+            if (triangle.across[k] != none || triangle.vertices[next(k)] != a ||
+                triangle.vertices[previous(k)] != b)
+                continue;
+            const int number = static_cast<int>(points_.size());
+            points_.push_back(p);
+            split_edge(t, k, number);
+            return number;
+        }
+    return std::nullopt;
+}
+
 void Triangulation::relink(int t, int from, int to) {
     if (t == none) return;
     for (int& neighbour : triangles_[t].across)
@@ -175,7 +190,8 @@ bool Triangulation::flip_is_due(int t, int edge) const {
     if (turn(a, b, d) <= 0.0 || turn(a, d, c) <= 0.0) return false;  // not convex
     const double scale =
         std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (d - a).squaredNorm()});
-    return in_circle(a, b, c, d) > 1e-10 * scale * scale;
+    // Beside the triangle's own area, so that needles are made as even as other triangles.
+    return in_circle(a, b, c, d) > 1e-10 * scale * turn(a, b, c);
 }
 
 void Triangulation::flip(int t, int edge) {
@@ -195,10 +211,14 @@ void Triangulation::flip(int t, int edge) {
 }
 
 void Triangulation::legalise(std::vector<std::pair<int, int>> suspects) {
+    // No more than n² are ever due, but where points are near to one line rounding could make flips
+    // go round in circles.
+    std::size_t flips_left = triangles_.size() * triangles_.size();
     while (!suspects.empty()) {
         const auto [t, edge] = suspects.back();
         suspects.pop_back();
         if (!flip_is_due(t, edge)) continue;
+        if (flips_left-- == 0) return;
         const int s = triangles_[t].across[edge];
         flip(t, edge);
         for (const int changed : {t, s})

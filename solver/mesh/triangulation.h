@@ -29,6 +29,9 @@ class Triangulation {
     /// Adds a point; an edge it lies on (within the tolerance) is split. Its number; that of a
     /// vertex already there; none if it is outside.
     std::optional<int> insert(const Vec2& p);
+    /// Adds a point on the polygon's edge between the vertices a and b, neighbours on it, however
+    /// near another edge may be. Its number; none if a and b are not neighbours.
+    std::optional<int> split_boundary(int a, int b, const Vec2& p);
     /// Makes a -> b an edge, by points added half-way where it is not one yet.
     void fix_edge(int a, int b);
 

@@ -120,6 +120,29 @@ TEST(MakePatches, CutsANeedleIntoNoMoreThan256) {
     EXPECT_EQ(cut(scene_of(flat({{0, 0}, {1, 0}, {1, 1e-4}, {0, 1e-4}})), 1.0).mesh.size(), 256u);
 }
 
+TEST(MakePatches, FillsNeedlesHoweverSharp) {
+    const double along_a_needle = 1e-6;  // coordinates of odd needles are rounded, too
+    for (const double width : {1e-3, 1e-4, 3e-5, 1e-5, 1e-6, 1e-7, 1e-8})
+        for (const Polygon& needle :
+             {flat({{0, 0}, {1, 0}, {1, width}}), flat({{0, 0}, {1, 0}, {0.5, width}}),
+              moved(flat({{0, 0}, {1, 0}, {1, width}, {0.1, 0.9 * width}, {0, 0.5 * width}}),
+                    {1.0, Vec3::Zero(), odd_turn()})}) {
+            const CutScene cut_needle = cut(scene_of(needle), 0.34);
+            EXPECT_LT(area_error(cut_needle), along_a_needle) << width;
+            EXPECT_LE(cut_needle.mesh.size(), 1280u) << width;
+            for (const Patch& patch : cut_needle.mesh.patches) EXPECT_GT(patch.area, 0.0) << width;
+        }
+}
+
+TEST(MakePatches, APatchTooNarrowForRoundingTakesNoPart) {
+    const Polygon crumb = flat({{0, 0}, {1e-10, 0}, {0, 1e-10}});  // its corners are welded to one
+    const CutScene both = cut(scene_of({flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), crumb}), 9.0);
+    const Patch& last = both.mesh.patches.back();
+    EXPECT_TRUE(last.covered);
+    EXPECT_GT(last.area, 0.0);
+    EXPECT_FALSE(both.mesh.patches.front().covered);
+}
+
 TEST(MakePatches, KeepsPatchesOfFairShapesFair) {
     const double fair = 10.0;  // of a triangle a fifth as high as long; a square has 1
     for (const Polygon& polygon : {l_shape(), regular(64, 1.0), regular(6, 1.0), comb(3)})

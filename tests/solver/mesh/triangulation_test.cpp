@@ -156,6 +156,17 @@ TEST(Triangulation, SplitsAnEdgeThatAPointLiesOn) {
     EXPECT_NEAR(area_of(crossed), 1.0, area_rounding);
 }
 
+TEST(Triangulation, CutsTheOutlineByItsEndsWhereEveryEdgeIsNear) {
+    Triangulation mesh(std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1e-9}});
+    EXPECT_EQ(mesh.split_boundary(0, 1, {0.5, 0}), 3);
+    EXPECT_EQ(mesh.split_boundary(2, 0, {0.5, 0.5e-9}), 4);
+    EXPECT_EQ(mesh.split_boundary(4, 0, {0.25, 0.25e-9}), 5);
+    EXPECT_EQ(mesh.split_boundary(2, 0, {0.75, 0.75e-9}), std::nullopt);  // no neighbours any more
+    EXPECT_EQ(mesh.triangles().size(), 4u);
+    EXPECT_NEAR(area_of(mesh), 0.5e-9, 1e-21);
+    EXPECT_FALSE(has_edge(mesh, 2, 0));
+}
+
 TEST(Triangulation, PartsOfASplitEdgeOfTheOutlineStayFixed) {
     Triangulation mesh(square);
     mesh.insert({0.5, 0.0});
