@@ -12,10 +12,14 @@ namespace patchlight {
 
 namespace {
 
-constexpr double planarity = 1e-6;    // of the polygon's size: beyond, it is cut [1]
-constexpr double least_area = 1e-13;  // of the polygon's size squared: below, it is dropped [1]
-constexpr double same_point = 1e-12;  // of the polygon's size [1]
+constexpr double planarity = 1e-6;  // of the polygon's size: beyond, it is cut [1]
+// Of the polygon's size squared: narrower ones are less than rounding leaves of a ray's aim [1].
+constexpr double least_area = 1e-9;
+constexpr double same_point = 1e-12;        // of the polygon's size [1]
 constexpr std::size_t most_corners = 4096;  // of one polygon
+
+constexpr const char* crossing =
+    "the polygon touches or crosses itself; its corners must run once round its edge";
 
 double box_diagonal(std::span<const Vec3> points) {
     Eigen::AlignedBox3d box;
@@ -30,6 +34,18 @@ std::vector<Vec3> without_repeats(std::span<const Vec3> corners, double size) {
     while (kept.size() > 1 && (kept.front() - kept.back()).norm() <= same_point * size)
         kept.pop_back();
     return kept;
+}
+
+/// Whether corners whose vector area is nothing are off one line nevertheless: loops that run
+/// opposite ways round cancel, as in a bow tie.
+bool spreads_out(std::span<const Vec3> corners, double size) {
+    if (corners.size() < 3) return false;
+    Vec3 along = Vec3::Zero();
+    for (const Vec3& p : corners)
+        if ((p - corners[0]).norm() > along.norm()) along = p - corners[0];
+    return std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) {
+        return (p - corners[0]).cross(along).norm() > 4.0 * least_area * size * size;
+    });
 }
 
 /// The prototype with these corners, and its reverse if the material is two-sided.
@@ -84,6 +100,7 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
     std::vector<Vec3> corners = without_repeats(given, size);
     const Vec3 area = corners.size() < 3 ? Vec3(Vec3::Zero()) : vector_area(corners);
     if (!(area.norm() > least_area * size * size)) {
+        if (spreads_out(corners, size)) throw InputError(pointer, crossing);
         note(scene, object,
              {"degenerate-dropped",
               {},
@@ -101,9 +118,7 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
     for (const Vec3& p : corners) flat.push_back(frame.flat(p));
     const auto triangles = cut(flat);
     if (triangles.size() + 2 != corners.size() || crosses_itself(flat))
-        throw InputError(
-            pointer,
-            "the polygon touches or crosses itself; its corners must run once round its edge");
+        throw InputError(pointer, crossing);
     if (is_planar(corners, normal, size)) {
         add_surface(scene, surface, std::move(corners));
         return;

@@ -103,6 +103,15 @@ TEST(AddPolygon, DropsPolygonsWithoutAreaAndCountsThem) {
     EXPECT_EQ(scene.findings[0].count, crumbs.size());
 }
 
+TEST(AddPolygon, RefusesLoopsWhoseAreasCancel) {
+    for (const Polygon& knot : {flat({{0, 0}, {1, 1}, {1, 0}, {0, 1}}),
+                                flat({{0, 0}, {2, 0}, {2, 2}, {0, -2}, {2, -2}, {2, 0}})}) {
+        Scene scene = empty_scene();
+        scene.objects.push_back({"knot"});
+        EXPECT_THROW(add_polygon(scene, 0, white, 0, knot, "/objects/0"), InputError);
+    }
+}
+
 TEST(AddPolygon, CountsFindingsObjectByObjectWhateverTheOrder) {
     Scene scene = empty_scene();
     scene.objects = {{"a"}, {"b"}, {"a"}};
