@@ -36,7 +36,7 @@ bool Conversation::exchange(Exchange& exchange) const {
     if (end != HeadEnd::complete)
         answer_directly(head_problem(end, exchange.request.in_reserve), exchange);
     else if (take_head(exchange, text))
-        answer_(exchange, text);
+        answer_(exchange);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     application_.note(exchange.request, exchange.answer,
                       {seconds.count(), exchange.connection.written() - written,
@@ -45,7 +45,7 @@ bool Conversation::exchange(Exchange& exchange) const {
 }
 
 /// False if it is answered already, as it is not in order.
-bool Conversation::take_head(Exchange& exchange, std::string& text) const {
+bool Conversation::take_head(Exchange& exchange, const std::string& text) const {
     auto read = read_request_head(text);
     if (const auto* const problem = std::get_if<Problem>(&read)) {
         answer_directly(*problem, exchange);

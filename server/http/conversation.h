@@ -13,8 +13,8 @@ namespace patchlight::server {
 /// noted, until somebody wants to end it.
 class Conversation {
   public:
-    /// Answers a request whose head is in order. `head` holds its bytes.
-    using AnswerRequest = std::function<void(Exchange&, const std::string& head)>;
+    /// Answers a request whose head is in order.
+    using AnswerRequest = std::function<void(Exchange&)>;
 
     /// All have to outlive it.
     Conversation(HttpApplication& application, const HttpLimits& limits, AnswerRequest answer);
@@ -23,7 +23,7 @@ class Conversation {
 
   private:
     bool exchange(Exchange& exchange) const;
-    bool take_head(Exchange& exchange, std::string& text) const;
+    bool take_head(Exchange& exchange, const std::string& text) const;
     void answer_directly(const Problem& problem, Exchange& exchange) const;
 
     HttpApplication& application_;

@@ -17,7 +17,17 @@ namespace {
 /// The library's handlers get its own types alone, so this is how they find the exchange.
 thread_local Exchange* current = nullptr;
 
-/// What the library reads: a head that has been checked, then the body within its limits.
+/// All of a head that concerns the library: where the body ends. It acts upon other fields, each
+/// version upon others: ranges multiply an answer or have it refused, compression multiplies the
+/// work or the body, forms are parsed. The application has the fields as they were sent.
+std::string library_head(const RequestHead& head) {
+    std::string text = head.method + ' ' + head.target + " HTTP/1.1\r\n";
+    if (head.has_length) text += "Content-Length: " + std::to_string(head.content_length) + "\r\n";
+    if (head.is_chunked) text += "Transfer-Encoding: chunked\r\n";
+    return text + "\r\n";
+}
+
+/// What the library reads: a head made for it, then the body within its limits.
 class CheckedStream final : public httplib::Stream {
   public:
     CheckedStream(Exchange& exchange, std::string_view head) : exchange_(exchange), head_(head) {}
@@ -92,21 +102,12 @@ class OpenedServer final : public httplib::Server {
     void process(httplib::Stream& stream) { process_with(*this, stream); }
 
   private:
-    /// What the library would act upon: ranges multiply an answer, compression multiplies the work
-    /// or the body, forms are parsed. The application has the fields as they were sent.
-    static void drop_fields(httplib::Request& request) {
-        request.ranges.clear();
-        for (const char* name : {"Range", "Accept-Encoding", "Content-Encoding", "Content-Type",
-                                 "Expect", "Connection"})
-            request.headers.erase(name);
-    }
-
     /// A template, so that the call the library does not have is not looked at.
     template <typename Self>
     static void process_with(Self& self, httplib::Stream& stream) {
         constexpr bool closes = false;  // said by put_framing
         bool peer_closes = false;
-        const std::function<void(httplib::Request&)> set_up = drop_fields;
+        const std::function<void(httplib::Request&)> set_up = nullptr;
         if constexpr (requires { self.process_request(stream, closes, peer_closes, set_up); })
             self.process_request(stream, closes, peer_closes, set_up);
         else  // since 0.15 or so it wants to know both addresses
@@ -140,9 +141,7 @@ class HardenedServer::Library {
         : application_(application),
           limits_(limits),
           bodies_(limits.all_body_bytes),
-          conversation_(
-              application, limits,
-              [this](Exchange& exchange, const std::string& head) { answer(exchange, head); }),
+          conversation_(application, limits, [this](Exchange& exchange) { answer(exchange); }),
           loop_(limits, [this](Connection& connection, Lane lane) {
               conversation_.hold(connection, lane);
           }) {
@@ -176,7 +175,8 @@ class HardenedServer::Library {
     }
 
     /// The library lets exceptions out of some of its callbacks, which would end the program.
-    void answer(Exchange& exchange, const std::string& head) {
+    void answer(Exchange& exchange) {
+        const std::string head = library_head(exchange.head);
         CheckedStream stream(exchange, head);
         current = &exchange;
         try {

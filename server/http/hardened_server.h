@@ -9,7 +9,7 @@ namespace patchlight::server {
 
 /// An HTTP/1.1 server that can stand on its own in front of strangers: everything a client can
 /// make large or slow has a limit, and whatever it sends gets an answer or a closed connection.
-/// cpp-httplib, which has few such limits, is given heads that are checked and a stream that is
+/// cpp-httplib, which has few such limits, is given heads that are made for it and a stream that is
 /// bounded; no other file knows it.
 class HardenedServer {
   public:

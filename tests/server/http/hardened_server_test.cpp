@@ -156,6 +156,16 @@ TEST(HardenedServer, MultipliesNothingForRangesOrCompression) {
     EXPECT_EQ(answer.field("content-encoding"), "");
 }
 
+TEST(HardenedServer, IgnoresRangesThatItDoesNotUnderstand) {
+    TestServer server;
+    for (const char* range : {"bytes=5-2", "lines=1-2", "bytes=0-0, -", "no range"}) {
+        const RawAnswer answer =
+            ask(server.port(), get("/remote", "Range: " + std::string(range) + "\r\n"));
+        EXPECT_EQ(answer.status, 200) << range;
+        EXPECT_EQ(answer.body, "127.0.0.1") << range;
+    }
+}
+
 TEST(HardenedServer, HandsBodiesOnAsTheyAre) {
     TestServer server;
     const std::string part =
