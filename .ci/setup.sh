@@ -1,4 +1,4 @@
-# Sourced by examples/run.sh, tests/run.sh and .ci/run: what they share, from a fresh Debian 12 to a
+# Sourced by examples/run.sh, tests/run.sh and .ci/run: what they share, from a fresh Debian to a
 # build in build/release. Needs bash; nothing is done until a function is called.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)
