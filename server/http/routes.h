@@ -2,6 +2,7 @@
 
 #include "server/http/http_message.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
