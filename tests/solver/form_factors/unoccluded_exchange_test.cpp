@@ -192,10 +192,10 @@ TEST(UnoccludedExchange, ScalesWithArea) {
 
 TEST(UnoccludedExchange, TheTwoSidesOfASlantedFaceDoNotSeeEachOther) {
     // Corners rounded to eight digits: the back lies in front of the front here, by 1e-9.
-    const auto ring = [](double radius, double z, int k) {
+    const auto ring = [](double radius, double height, int k) {
         const double angle = k * 1.0471975511965976;
         return Vec3(std::round(radius * std::cos(angle) * 1e8) / 1e8,
-                    std::round(radius * std::sin(angle) * 1e8) / 1e8, z);
+                    std::round(radius * std::sin(angle) * 1e8) / 1e8, height);
     };
     Scene scene = empty_scene();
     for (int k = 0; k < 6; ++k)
