@@ -188,6 +188,7 @@ bool Triangulation::flip_is_due(int t, int edge) const {
                &c = points_[here.vertices[previous(edge)]];
     const Vec2& d = points_[there.vertices[edge_towards(here.across[edge], t)]];
     if (turn(a, b, d) <= 0.0 || turn(a, d, c) <= 0.0) return false;  // not convex
+    if (turn(a, b, c) <= 0.0 || turn(b, d, c) <= 0.0) return false;  // turned over by rounding
     const double scale =
         std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), (d - a).squaredNorm()});
     // Beside the triangle's own area, so that needles are made as even as other triangles.
@@ -211,14 +212,17 @@ void Triangulation::flip(int t, int edge) {
 }
 
 void Triangulation::legalise(std::vector<std::pair<int, int>> suspects) {
-    // No more than n² are ever due, but where points are near to one line rounding could make flips
-    // go round in circles.
-    std::size_t flips_left = triangles_.size() * triangles_.size();
+    // A few for each triangle are due at most, but where points are near to one line rounding could
+    // make flips go round in circles: then the triangles stay as they are.
+    std::size_t flips_left = flips_ ? 1000 + 100 * triangles_.size() : 0;
     while (!suspects.empty()) {
         const auto [t, edge] = suspects.back();
         suspects.pop_back();
         if (!flip_is_due(t, edge)) continue;
-        if (flips_left-- == 0) return;
+        if (flips_left-- == 0) {
+            flips_ = false;
+            return;
+        }
         const int s = triangles_[t].across[edge];
         flip(t, edge);
         for (const int changed : {t, s})

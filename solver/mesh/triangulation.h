@@ -60,6 +60,7 @@ class Triangulation {
     double tolerance_ = 0.0;  // closer points are one; nearer an edge is on it [m]
     int last_ = 0;            // triangle found last: the next point is often near
     bool ok_ = true;
+    bool flips_ = true;  // false once rounding made flips go round in circles
 };
 
 }  // namespace patchlight
