@@ -32,7 +32,11 @@ int CheckCommand::run() const {
               << scene.surfaces.size() << ", materials " << scene.materials.size() << ", cameras "
               << job.cameras.size() << ", sensors " << scene.sensors.size() << "\n"
               << "patches:   " << cost.patches << "\n"
-              << "memory:    " << memory_text(static_cast<double>(cost.memory)) << "\n"
+              << "memory:    " << memory_text(static_cast<double>(cost.memory))
+              << (cost.memory > cost.memory_limit
+                      ? ", over the limit of " + memory_text(static_cast<double>(cost.memory_limit))
+                      : "")
+              << "\n"
               << "time:      about " << rounded(cost.seconds) << " s on two cores\n"
               << finding_lines(find_flaws(scene));
     return 0;

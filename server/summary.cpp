@@ -66,6 +66,7 @@ std::string rounded(double number) {
 }
 
 std::string memory_text(double bytes) {
+    if (bytes >= 1e18) return "more than any machine has";
     for (const char* unit : {" B", " kB", " MB", " GB"}) {
         if (bytes < 1000.0) return rounded(bytes) + unit;
         bytes /= 1000.0;

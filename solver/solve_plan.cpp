@@ -148,17 +148,32 @@ std::uint64_t estimate_memory(const Scene& scene, std::size_t patches,
 void check_memory(const Scene& scene, std::size_t patches, const SolveSettings& planned) {
     const std::uint64_t needed = estimate_memory(scene, patches, planned);
     if (needed <= *planned.memory_limit) return;
+    constexpr std::uint64_t beyond_any = std::uint64_t{1} << 60;  // no machine has an exbibyte
     throw InputError("/solve/patch_size",
-                     "about " + std::to_string(patches) + " patches would need about " +
-                         std::to_string(needed) + " bytes; the memory limit is " +
-                         std::to_string(*planned.memory_limit) +
+                     "about " + std::to_string(patches) + " patches would need " +
+                         (needed < beyond_any ? "about " + std::to_string(needed) + " bytes"
+                                              : "more bytes than any machine has") +
+                         "; the memory limit is " + std::to_string(*planned.memory_limit) +
                          " bytes: give a larger patch_size, or a higher memory_limit");
 }
+
+namespace {
+
+/// Exactly where that is quick, else about.
+std::size_t count_patches(const Scene& scene, double patch_size) {
+    constexpr std::size_t quick = 50'000;  // patches that are made in a few hundredths of a second
+    const std::size_t estimate = estimate_patch_count(scene, patch_size);
+    if (estimate > quick) return estimate;
+    return make_patches(scene, find_mesh_lines(scene), patch_size).size();
+}
+
+}  // namespace
 
 CostEstimate estimate_cost(const Scene& scene, const SolveSettings& settings) {
     const SolvePlan plan = plan_solve(scene, settings);
     CostEstimate cost;
-    cost.patches = estimate_patch_count(scene, *plan.settings.patch_size);
+    cost.patches = count_patches(scene, *plan.settings.patch_size);
+    cost.memory_limit = *plan.settings.memory_limit;
     cost.memory = estimate_memory(scene, cost.patches, plan.settings);
     const double n = static_cast<double>(cost.patches);
     constexpr double seconds_per_pair = 2.5e-7, seconds_per_ray = 1.2e-7, seconds_per_entry = 3e-8;

@@ -8,11 +8,12 @@
 
 namespace patchlight {
 
-/// What a solve would cost, known before anything is allocated.
+/// What a solve would cost, known before much is allocated.
 struct CostEstimate {
     std::size_t patches = 0;
-    std::uint64_t memory = 0;  // peak [bytes]
-    double seconds = 0.0;      // on two cores, order of magnitude
+    std::uint64_t memory = 0;        // peak [bytes]
+    std::uint64_t memory_limit = 0;  // a solve that would need more is refused [bytes]
+    double seconds = 0.0;            // on two cores, order of magnitude
 };
 
 /// Throws InputError("/solve/...") if a setting asks for what cannot be done.

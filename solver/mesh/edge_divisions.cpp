@@ -42,6 +42,12 @@ struct Chords {  // edges that must have one count (union-find)
 
 }  // namespace
 
+double estimate_parts(double length, double patch_size, double width) {
+    const double for_aspect = std::min(std::ceil(length / (largest_aspect * width) - rounding),
+                                       static_cast<double>(most_parts_for_aspect));
+    return std::max({1.0, std::ceil(length / patch_size - rounding), for_aspect});
+}
+
 EdgeDivisions::EdgeDivisions(const Scene& scene, const std::vector<std::vector<Segment>>& creases,
                              double patch_size) {
     weld(scene);

@@ -9,6 +9,9 @@
 
 namespace patchlight {
 
+/// About how many parts an edge of that length is cut into, beside patches so wide [m].
+double estimate_parts(double length, double patch_size, double width);
+
 /// How each edge of each surface is cut: into equal parts, or between stops where creases end. An
 /// edge that two surfaces share whole is one edge: both are cut at the same points.
 class EdgeDivisions {

@@ -129,6 +129,18 @@ TEST(CheckMemory, NamesBothNumbersWhenItRefuses) {
     }
 }
 
+TEST(CheckMemory, SaysInWordsWhatNoMachineHas) {
+    const SolveSettings planned = plan_solve(room(), {}).settings;
+    try {
+        check_memory(room(), std::size_t{1} << 40, planned);
+        FAIL() << "not refused";
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("more bytes than any machine has"), std::string::npos) << text;
+        EXPECT_EQ(text.find("18446744073709551615"), std::string::npos) << text;
+    }
+}
+
 TEST(CheckMemory, LetsPassWhatFits) {
     SolveSettings settings;
     settings.memory_limit = std::uint64_t{1} << 30;
@@ -164,6 +176,16 @@ TEST(EstimateCost, KnowsThePatchesBeforeTheyAreMade) {
     EXPECT_EQ(cost.patches, 600u);
     EXPECT_GT(cost.memory, 0u);
     EXPECT_GT(cost.seconds, 0.0);
+}
+
+TEST(EstimateCost, CountsWhatOutlinesAndContactsAdd) {
+    const std::vector<Scene> scenes{scene_of(regular(500, 1.0)), room_with_box(),
+                                    scene_of(flat({{0, 0}, {1, 0}, {1, 1e-5}}))};
+    for (const Scene& scene : scenes) {
+        SolveSettings settings;
+        settings.patch_size = 0.3;
+        EXPECT_EQ(estimate_cost(scene, settings).patches, cut(scene, 0.3).mesh.size());
+    }
 }
 
 TEST(SolveScene, RefusesASceneThatWouldNotFit) {

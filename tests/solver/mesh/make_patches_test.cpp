@@ -163,7 +163,13 @@ TEST(EstimatePatchCount, IsWithinAFactorOfTwo) {
                                     scene_of(regular(24, 1.0)),
                                     scene_of(l_shape()),
                                     scene_of(star(5, 0.4)),
-                                    scene_of(comb(3))};
+                                    scene_of(comb(3)),
+                                    scene_of(regular(3, 1.0)),
+                                    scene_of(regular(4, 1.0)),
+                                    scene_of(regular(1000, 1.0)),
+                                    scene_of(flat({{0, 0}, {1, 0}, {1, 1e-2}, {0, 1e-2}})),
+                                    scene_of(flat({{0, 0}, {1, 0}, {1, 1e-5}})),
+                                    scene_of(flat({{0, 0}, {1, 0}, {0.5, 1e-3}}))};
     for (std::size_t k = 0; k < scenes.size(); ++k)
         for (const double size : {0.3, 0.1, 0.04}) {
             const double real = static_cast<double>(cut(scenes[k], size).mesh.size());
