@@ -6,10 +6,12 @@
 #include "server/http/service.h"
 #include "server/http/socket_address.h"
 #include "server/stop_signals.h"
+#include "server/wording.h"
 
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <thread>
 
@@ -53,6 +55,16 @@ void wind_down(Service& service, milliseconds grace) {
     service.cancel();
 }
 
+/// CLI::Range lets NaN through.
+CLI::Validator a_number() {
+    const auto check = [](const std::string& text) {
+        double number = 0.0;
+        const bool is_right = CLI::detail::lexical_cast(text, number) && !std::isnan(number);
+        return is_right ? std::string() : "must be a number, not " + in_quotes(text);
+    };
+    return CLI::Validator(check, "", "");
+}
+
 }  // namespace
 
 CLI::App* ServeCommand::add_to(CLI::App& program) {
@@ -82,7 +94,8 @@ CLI::App* ServeCommand::add_to(CLI::App& program) {
     command->add_option("--grace", grace_, "seconds that running solves get when it is told to end")
         ->capture_default_str()
         ->type_name("N")
-        ->check(CLI::Range(0.0, 86400.0).description(""));
+        ->check(CLI::Range(0.0, 86400.0).description(""))
+        ->check(a_number());
     command->add_flag("--quiet", is_quiet_, "no line a request on standard error");
     add_limits(*command);
     return command;
@@ -95,6 +108,7 @@ void ServeCommand::add_limits(CLI::App& command) {
             ->type_name("N")
             ->capture_default_str()
             ->check(CLI::Range(low, high).description(""))
+            ->check(a_number())
             ->group(limits_group);
     };
     constexpr std::size_t many = std::size_t{1} << 40;

@@ -183,6 +183,16 @@ TEST(ServeCommand, OutlivesALackOfMemory) {
 }
 #endif
 
+TEST(ServeCommand, RefusesLimitsThatAreNoNumbers) {
+    for (const char* limit : {"--time-limit nan", "--grace nan"}) {
+        const Outcome outcome =
+            run_program(std::string("serve --port 0 ") + limit, "timeout --preserve-status 5");
+        EXPECT_EQ(outcome.code, 2) << limit;
+        EXPECT_NE(outcome.err.find("must be a number, not 'nan'"), std::string::npos)
+            << outcome.err;
+    }
+}
+
 TEST(ServeCommand, RefusesOptionsThatWouldNotDo) {
     for (const char* options : {"--port 65536", "--port x", "--max-body 0", "--workers 0",
                                 "--token-file none", "--time-limit 0", "--unknown"})
