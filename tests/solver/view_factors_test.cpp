@@ -142,7 +142,7 @@ TEST(ViewFactors, OfAnOpenSceneAreNotNormalised) {
 TEST(ViewFactors, OfRoomsWithBoxesObeyClosureAndReciprocity) {
     for (const unsigned seed : {1u, 2u, 3u, 4u}) {
         SolveSettings settings = cut_to(0.5);
-        settings.rays = 128;
+        settings.rays = 1024;
         const Scene scene = room_with_random_boxes(seed);
         const ViewFactorTable table = view_factors(scene, settings, Grouping::object);
         for (std::size_t i = 0; i < table.size(); ++i)
