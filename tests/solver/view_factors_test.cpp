@@ -140,14 +140,17 @@ TEST(ViewFactors, OfAnOpenSceneAreNotNormalised) {
 }
 
 TEST(ViewFactors, OfRoomsWithBoxesObeyClosureAndReciprocity) {
+    // Pairs of which all samples were blocked stay at 0, lest light cross walls: a row that needs
+    // one of them to be closed stays open by as much.
+    constexpr double nearly = 2e-3;
     for (const unsigned seed : {1u, 2u, 3u, 4u}) {
         SolveSettings settings = cut_to(0.5);
         settings.rays = 1024;
         const Scene scene = room_with_random_boxes(seed);
         const ViewFactorTable table = view_factors(scene, settings, Grouping::object);
         for (std::size_t i = 0; i < table.size(); ++i)
-            EXPECT_NEAR(table.row_sum(i), 1.0, closed) << "seed " << seed << " object " << i;
-        EXPECT_LE(table.report.form_factors.repaired.closure_max, closed);
+            EXPECT_NEAR(table.row_sum(i), 1.0, nearly) << "seed " << seed << " object " << i;
+        EXPECT_LE(table.report.form_factors.repaired.closure_max, nearly);
         EXPECT_GT(table.report.form_factors.measured.closure_max, closed) << "nothing to repair";
         expect_reciprocity(table);
     }
