@@ -62,11 +62,11 @@ struct Uncertain {
             }
         for (std::size_t i = 0; i < matrix.size(); ++i) {
             const double a = matrix.area[i], slack = 1e-6 * a;
-            for (const auto& [share, variance] :
+            for (const auto& [share, uncertainty] :
                  {std::pair(matrix.backs[i], matrix.backs_variance[i]),
                   {matrix.escaped[i], matrix.escaped_variance[i]}}) {
-                least[i] += variance > 0.0 ? 0.0 : share * a;
-                most[i] += variance > 0.0 ? a : share * a;
+                least[i] += uncertainty > 0.0 ? 0.0 : share * a;
+                most[i] += uncertainty > 0.0 ? a : share * a;
             }
             if (least[i] > a + slack || most[i] < a - slack) diagonal[i] = 0.0;
         }
