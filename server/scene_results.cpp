@@ -8,9 +8,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::size_t size_of(const SensorGrid& grid) {
+    return static_cast<std::size_t>(grid.count_u) * static_cast<std::size_t>(grid.count_v);
+}
+
 Json grid_result(const SensorGrid& grid, const Solution& solution) {
-    const std::size_t count =
-        static_cast<std::size_t>(grid.count_u) * static_cast<std::size_t>(grid.count_v);
+    const std::size_t count = size_of(grid);
     double least = luminance(solution.sensors.at(grid.first).irradiance);
     double most = least;
     double sum = 0.0;
@@ -69,8 +72,9 @@ Json sensor_results(const Scene& scene, const Solution& solution) {
 
 Json grid_results(const Scene& scene, const Solution& solution) {
     Json list = Json::array();
-    if (solution.sensors.empty()) return list;  // the work ended before they were gathered
-    for (const SensorGrid& grid : scene.grids) list.push_back(grid_result(grid, solution));
+    for (const SensorGrid& grid : scene.grids)  // unless the work ended before all was gathered
+        if (grid.first + size_of(grid) <= solution.sensors.size())
+            list.push_back(grid_result(grid, solution));
     return list;
 }
 

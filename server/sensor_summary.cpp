@@ -15,8 +15,8 @@ std::string and_more(std::size_t count) {
     return count > most_shown ? ", and " + std::to_string(count - most_shown) + " more" : "";
 }
 
-/// Numbers of the sensors that are in no grid.
-std::vector<std::size_t> single_sensors(const Scene& scene) {
+/// Numbers of the sensors that are in no grid, among those that were gathered.
+std::vector<std::size_t> single_sensors(const Scene& scene, std::size_t gathered) {
     std::vector<bool> is_single(scene.sensors.size(), true);
     for (const SensorGrid& grid : scene.grids) {
         const auto count =
@@ -24,13 +24,13 @@ std::vector<std::size_t> single_sensors(const Scene& scene) {
         for (std::size_t k = grid.first; k < grid.first + count; ++k) is_single[k] = false;
     }
     std::vector<std::size_t> numbers;
-    for (std::size_t k = 0; k < is_single.size(); ++k)
+    for (std::size_t k = 0; k < std::min(gathered, is_single.size()); ++k)
         if (is_single[k]) numbers.push_back(k);
     return numbers;
 }
 
 std::string single_line(const Scene& scene, const Solution& solution, const std::string& unit) {
-    const std::vector<std::size_t> singles = single_sensors(scene);
+    const std::vector<std::size_t> singles = single_sensors(scene, solution.sensors.size());
     if (singles.empty()) return "";
     std::string line = "sensors:   ";
     for (std::size_t k = 0; k < std::min(singles.size(), most_shown); ++k)

@@ -34,7 +34,7 @@ KeptRows::KeptRows(ExchangeMatrix&& exchange)
         }
 }
 
-void KeptRows::visit(std::span<const PatchIndex> patches, const Visit& visit) {
+bool KeptRows::visit(std::span<const PatchIndex> patches, const Visit& visit) {
     std::vector<PatchIndex> columns;
     std::vector<double> factors, variance;
     for (const PatchIndex i : patches) {
@@ -49,11 +49,12 @@ void KeptRows::visit(std::span<const PatchIndex> patches, const Visit& visit) {
             add(lower_row_[l], lower_entry_[l]);
         for (std::size_t k = exchange_.start[i]; k < exchange_.start[i + 1]; ++k)
             add(exchange_.column[k], k);
-        visit({i, columns, factors, variance});
+        if (!visit({i, columns, factors, variance})) return false;
     }
+    return true;
 }
 
-void StreamedRows::visit(std::span<const PatchIndex> patches, const Visit& visit) {
+bool StreamedRows::visit(std::span<const PatchIndex> patches, const Visit& visit) {
     std::vector<FactorRow> rows(rows_at_a_time);
     std::vector<Outside> outside(rows_at_a_time);
     std::vector<double> sums(rows_at_a_time);
@@ -78,9 +79,10 @@ void StreamedRows::visit(std::span<const PatchIndex> patches, const Visit& visit
             report_.closure_max =
                 std::max(report_.closure_max, std::abs(sums[k] + away.backs + away.escaped - 1.0));
             area_ += a;
-            visit({i, row.columns, row.factors, row.variance});
+            if (!visit({i, row.columns, row.factors, row.variance})) return false;
         }
     }
+    return true;
 }
 
 ClosureReport StreamedRows::closure() const {

@@ -21,17 +21,18 @@ struct FactorRowView {
 /// Whole rows of the form-factor matrix, wherever they come from.
 class FactorRows {
   public:
-    using Visit = std::function<void(const FactorRowView&)>;
+    /// Whether to go on.
+    using Visit = std::function<bool(const FactorRowView&)>;
     virtual ~FactorRows() = default;
-    /// Rows of `patches` in that order, from the calling thread.
-    virtual void visit(std::span<const PatchIndex> patches, const Visit& visit) = 0;
+    /// Rows of `patches` in that order, from the calling thread; false if a visit ended it.
+    virtual bool visit(std::span<const PatchIndex> patches, const Visit& visit) = 0;
 };
 
 /// Rows of a matrix that is there, both halves of each pair from its upper triangle.
 class KeptRows final : public FactorRows {
   public:
     explicit KeptRows(ExchangeMatrix&& exchange);
-    void visit(std::span<const PatchIndex> patches, const Visit& visit) override;
+    bool visit(std::span<const PatchIndex> patches, const Visit& visit) override;
 
   private:
     ExchangeMatrix exchange_;
@@ -45,7 +46,7 @@ class StreamedRows final : public FactorRows {
   public:
     StreamedRows(const FormFactorEngine& engine, const PatchMesh& mesh)
         : engine_(engine), mesh_(mesh) {}
-    void visit(std::span<const PatchIndex> patches, const Visit& visit) override;
+    bool visit(std::span<const PatchIndex> patches, const Visit& visit) override;
 
     std::uint64_t rays() const { return rays_; }
     bool open() const { return open_; }

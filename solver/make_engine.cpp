@@ -15,13 +15,14 @@ HemicubeSettings hemicube_settings(const SolveSettings& planned) {
 }
 
 std::unique_ptr<FormFactorEngine> make_engine(const Scene& scene, const PatchMesh& mesh,
-                                              const RayScene& rays, const SolveSettings& planned) {
+                                              const RayScene& rays, const SolveSettings& planned,
+                                              const std::function<bool()>& go_on) {
     switch (planned.engine) {
         case Engine::analytic: {
             AnalyticSettings analytic;
             analytic.rays = *planned.rays;
             analytic.seed = planned.seed;
-            return std::make_unique<AnalyticEngine>(scene, mesh, rays, analytic);
+            return std::make_unique<AnalyticEngine>(scene, mesh, rays, analytic, go_on);
         }
         case Engine::ray_cast:
             return std::make_unique<RayCastEngine>(scene, mesh, rays, *planned.rays, planned.seed);

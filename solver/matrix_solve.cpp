@@ -13,7 +13,8 @@ namespace {
 /// False if the work was stopped.
 bool find_form_factors(const SolveStage& stage, ExchangeMatrix& exchange) {
     Solution& solution = stage.solution;
-    const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings);
+    const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings,
+                                    [&] { return stage.watch.may_prepare(); });
     StopReason stopped = StopReason::tolerance;
     exchange = build_exchange(*engine, stage.scene, solution.mesh, [&](double fraction) {
         stopped = stage.watch.step({Stage::form_factors, fraction, 0, 0.0});

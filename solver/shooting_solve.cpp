@@ -50,7 +50,8 @@ void take_over(const SolveStage& stage, const ShotSoFar& state) {
 
 DisplayHints solve_by_shooting(const SolveStage& stage) {
     Solution& solution = stage.solution;
-    const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings);
+    const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings,
+                                    [&] { return stage.watch.may_prepare(); });
     RowSource rows(*engine, solution.mesh.size(), kept_row_bytes);
     PatchFields fields = make_patch_fields(stage.scene, solution.mesh);
     const ShootingProblem problem{rows, std::move(fields.area), std::move(fields.exitance),

@@ -105,7 +105,7 @@ struct Solution {
     FormFactorReport form_factors;
     std::vector<ConvergenceStep> convergence;
     std::vector<ObjectReport> objects;  // as in scene.objects
-    std::vector<SensorReport> sensors;  // as in scene.sensors
+    std::vector<SensorReport> sensors;  // as in scene.sensors; the first of them if work ended
     std::vector<Finding> findings;
     StageSeconds seconds;
 };

@@ -52,6 +52,20 @@ void cut_patches(const Scene& scene, const MeshLines& lines, Solution& solution)
     solution.irradiance.assign(solution.mesh.size(), Rgb::Zero());
 }
 
+/// Some time for it there is even if the work was to end before: few sensors take less.
+void gather(const SolveStage& stage) {
+    constexpr double least_seconds = 1.0;
+    Solution& solution = stage.solution;
+    StopReason stopped = StopReason::tolerance;
+    const auto go_on = [&](double fraction) {
+        stopped = stage.watch.step({Stage::display, fraction});
+        return stopped == StopReason::tolerance || stage.watch.seconds_so_far() < least_seconds;
+    };
+    solution.sensors = gather_at_sensors(stage.scene, solution.mesh, stage.rays, solution.radiosity,
+                                         solution.settings.seed, go_on);
+    if (solution.sensors.size() < stage.scene.sensors.size()) solution.status = status_of(stopped);
+}
+
 }  // namespace
 
 Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe) {
@@ -74,8 +88,7 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
                                    ? solve_by_shooting(stage)
                                    : solve_on_matrix(stage);
     solution.display = display_of(stage, hints);
-    solution.sensors =
-        gather_at_sensors(scene, solution.mesh, rays, solution.radiosity, solution.settings.seed);
+    gather(stage);
     solution.objects = measure_objects(scene, solution);
     solution.seconds.display = watch.lap();
     return solution;

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <span>
 
 namespace patchlight {
 
@@ -24,7 +23,6 @@ constexpr double most_kept = 2147483648.0;  // [bytes]
 constexpr double kept_share = 0.25;         // of the memory limit
 constexpr double bytes_per_pair = 40.0;     // matrix, its transposed index, and room to grow
 constexpr double quadrature = 3e-7;         // relative error of an analytic factor [1]
-constexpr std::size_t rows_between_steps = 64;
 
 /// Rays per patch unless they are given: what brings the sums of a row over an object within about
 /// half a percent (measured on the Cornell box against 10^7 rays a row). The fewer the patches, the
@@ -87,6 +85,35 @@ bool fits(const FormFactorEngine& engine, const PatchMesh& mesh, std::uint64_t m
     return halves * n * n * estimate_density(engine, mesh) * bytes_per_pair <= budget;
 }
 
+FormFactorReport report_of(const StreamedRows& rows) {
+    FormFactorReport report;
+    report.rays = rows.rays();
+    report.open = rows.open();
+    report.measured = report.repaired = rows.closure();
+    report.repaired.closure_max = 0.0;
+    return report;
+}
+
+/// Hands on one group after another; `step` is told the fraction done and says why to stop, if at
+/// all.
+StopReason sum_groups(FactorRows& rows, const FactorGroups& groups, const PatchMesh& mesh,
+                      const std::function<void(const GroupFactors&)>& take,
+                      const std::function<StopReason(double)>& step) {
+    GroupSum sum(groups, mesh);
+    double visited = 0.0;  // rows
+    StopReason stopped = StopReason::tolerance;
+    const auto add = [&](const FactorRowView& row) {
+        sum.add(row);
+        stopped = step(++visited / static_cast<double>(mesh.size()));
+        return stopped == StopReason::tolerance;
+    };
+    for (std::uint32_t g = 0; g < groups.areas.size(); ++g) {
+        if (!rows.visit(groups.patches[g], add)) break;
+        take(sum.finish(g));
+    }
+    return stopped;
+}
+
 /// All pairs, repaired together; empty if the work was stopped.
 std::unique_ptr<FactorRows> keep_rows(const FormFactorEngine& engine, const Scene& scene,
                                       const PatchMesh& mesh, Watch& watch,
@@ -107,28 +134,6 @@ std::unique_ptr<FactorRows> keep_rows(const FormFactorEngine& engine, const Scen
     report.form_factors.open = std::any_of(exchange.escaped.begin(), exchange.escaped.end(),
                                            [](double share) { return share > 0.0; });
     return std::make_unique<KeptRows>(std::move(exchange));
-}
-
-/// Group by group; a large one may be stopped on the way, too. Why it ended.
-StopReason hand_out(FactorRows& rows, Stage stage, const FactorGroups& groups,
-                    const PatchMesh& mesh, const std::function<void(const GroupFactors&)>& take,
-                    Watch& watch) {
-    GroupSum sum(groups, mesh);
-    std::size_t done = 0;
-    for (std::uint32_t g = 0; g < groups.areas.size(); ++g) {
-        const std::span<const PatchIndex> patches = groups.patches[g];
-        for (std::size_t first = 0; first < patches.size(); first += rows_between_steps) {
-            const std::size_t count = std::min(rows_between_steps, patches.size() - first);
-            rows.visit(patches.subspan(first, count),
-                       [&](const FactorRowView& row) { sum.add(row); });
-            done += count;
-            const double fraction = static_cast<double>(done) / static_cast<double>(mesh.size());
-            const StopReason stopped = watch.step({stage, fraction, 0, 0.0});
-            if (stopped != StopReason::tolerance) return stopped;
-        }
-        take(sum.finish(g));
-    }
-    return StopReason::tolerance;
 }
 
 }  // namespace
@@ -164,7 +169,13 @@ ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFact
     report.findings = find_geometry_flaws(scene_, lines_.overlaps);
     report.seconds.mesh = mesh_seconds_;
     const RayScene rays(scene_, lines_.overlaps);
-    const auto engine = make_engine(scene_, mesh_, rays, settings_);
+    const auto engine =
+        make_engine(scene_, mesh_, rays, settings_, [&] { return watch.may_prepare(); });
+    if (const StopReason stopped = watch.step({Stage::form_factors});
+        stopped != StopReason::tolerance) {
+        report.status = status_of(stopped);
+        return report;
+    }
     report.streamed = !fits(*engine, mesh_, *settings_.memory_limit);
     std::unique_ptr<FactorRows> rows;
     if (report.streamed)
@@ -174,13 +185,11 @@ ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFact
     report.seconds.form_factors = watch.lap();
     if (!rows) return report;
     const Stage stage = report.streamed ? Stage::form_factors : Stage::display;
-    report.status = status_of(hand_out(*rows, stage, groups_, mesh_, take, watch));
-    if (const auto* streamed = dynamic_cast<const StreamedRows*>(rows.get())) {
-        report.form_factors.rays = streamed->rays();
-        report.form_factors.open = streamed->open();
-        report.form_factors.measured = report.form_factors.repaired = streamed->closure();
-        report.form_factors.repaired.closure_max = 0.0;
-    }
+    report.status = status_of(sum_groups(*rows, groups_, mesh_, take, [&](double fraction) {
+        return watch.step({stage, fraction});
+    }));
+    if (const auto* streamed = dynamic_cast<const StreamedRows*>(rows.get()))
+        report.form_factors = report_of(*streamed);
     if (settings_.engine == Engine::hemicube && report.status == Status::converged)
         report.form_factors.hemicube =
             estimate_hemicube_errors(scene_, mesh_, rays, hemicube_settings(settings_));

@@ -21,6 +21,10 @@ class Watch {
         lap_ = now;
         return seconds;
     }
+    /// Since the last lap, which goes on.
+    double seconds_so_far() const {
+        return std::chrono::duration<double>(Clock::now() - lap_).count();
+    }
     /// `tolerance`: go on.
     StopReason step(const Progress& progress) {
         if (observe_ && observe_(progress) == Verdict::stop) return StopReason::cancelled;
@@ -28,6 +32,8 @@ class Watch {
         if (time_limit_ && seconds > *time_limit_) return StopReason::time_limit;
         return StopReason::tolerance;
     }
+    /// Whether work on form factors that has not come to any of them yet may go on.
+    bool may_prepare() { return step({Stage::form_factors}) == StopReason::tolerance; }
 
   private:
     using Clock = std::chrono::steady_clock;

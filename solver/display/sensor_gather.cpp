@@ -15,6 +15,7 @@ namespace patchlight {
 
 namespace {
 
+constexpr std::size_t sensors_at_a_time = 64;
 constexpr int fewest_samples = 4;  // of a patch that a sensor sees
 constexpr int most_samples = 16384;
 constexpr double total_samples = 4096.0;  // of a sensor, shared by what patches contribute
@@ -128,7 +129,8 @@ SensorReport gather(const Scene& scene, const PatchMesh& mesh, const Patches& pa
 
 std::vector<SensorReport> gather_at_sensors(const Scene& scene, const PatchMesh& mesh,
                                             const RayScene& ray_scene,
-                                            const std::vector<Rgb>& radiosity, std::uint64_t seed) {
+                                            const std::vector<Rgb>& radiosity, std::uint64_t seed,
+                                            const std::function<bool(double)>& go_on) {
     std::vector<SensorReport> reports(scene.sensors.size());
     if (scene.sensors.empty()) return reports;
     Patches patches;
@@ -139,13 +141,19 @@ std::vector<SensorReport> gather_at_sensors(const Scene& scene, const PatchMesh&
             make_sampler(mesh, j, scene.surfaces[mesh.patches[j].surface].normal, ray_scene));
     }
     const SobolPoints points(most_samples);
-    tbb::parallel_for(std::size_t{0}, scene.sensors.size(), [&](std::size_t s) {
+    const auto report = [&](std::size_t s) {
         const Sensor& sensor = scene.sensors[s];
         SensorView view{sensor, ray_scene, points, {}, sensor.normal.cast<float>()};
         view.origin = ray_scene.to_ray_space(sensor.position) +
                       off_contact * ray_scene.contact() * view.normal;
         reports[s] = gather(scene, mesh, patches, view, radiosity, mix(seed, 0x73656e73 + s));
-    });
+    };
+    for (std::size_t first = 0; first < reports.size(); first += sensors_at_a_time) {
+        const std::size_t end = std::min(first + sensors_at_a_time, reports.size());
+        tbb::parallel_for(first, end, report);
+        const double done = static_cast<double>(end) / static_cast<double>(reports.size());
+        if (go_on && !go_on(done)) reports.resize(end);
+    }
     return reports;
 }
 

@@ -23,13 +23,13 @@ int samples_for(double wanted) {
 }  // namespace
 
 AnalyticEngine::AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const RayScene& ray_scene,
-                               const AnalyticSettings& settings)
+                               const AnalyticSettings& settings, const std::function<bool()>& go_on)
     : mesh_(mesh),
       ray_scene_(ray_scene),
       settings_(settings),
       groups_(find_plane_groups(scene)),
       exchange_(scene, mesh, groups_),
-      blockers_(scene, mesh, groups_),
+      blockers_(scene, mesh, groups_, go_on),
       outside_rays_(scene, mesh, ray_scene, settings.outside_rays, mix(settings.seed, 0x6f7574)),
       visibility_(outside_rays_.rays(), ray_scene, points_in_a_row, mix(settings.seed, 0x766973)),
       sheet_(find_sheets(scene)) {}

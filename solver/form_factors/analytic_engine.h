@@ -18,10 +18,11 @@ struct AnalyticSettings {
 /// Form factors by closed forms and quadrature (to about 3e-7) times visibility, which rays measure
 /// for the pairs that something may block, and for those alone: exact where nothing blocks.
 /// Rays belong to the unordered pair, so A_i F_ij = A_j F_ji.
+/// `go_on` is asked while it is made; after a false its rows are as right, but slow.
 class AnalyticEngine final : public FormFactorEngine {
   public:
     AnalyticEngine(const Scene& scene, const PatchMesh& mesh, const RayScene& ray_scene,
-                   const AnalyticSettings& settings);
+                   const AnalyticSettings& settings, const std::function<bool()>& go_on = {});
 
     bool pairwise() const override { return true; }
     void row(PatchIndex i, FactorRow& row) const override;

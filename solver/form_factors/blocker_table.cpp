@@ -58,6 +58,17 @@ std::vector<Sheet> make_sheets(const Scene& scene, const PlaneGroups& groups) {
     return sheets;
 }
 
+/// work(0) to work(count - 1) in parallel; false if `go_on` was.
+template <typename Work>
+bool in_batches(std::size_t count, const std::function<bool()>& go_on, const Work& work) {
+    constexpr std::size_t batch = 32;
+    for (std::size_t first = 0; first < count; first += batch) {
+        tbb::parallel_for(first, std::min(first + batch, count), work);
+        if (go_on && !go_on()) return false;
+    }
+    return true;
+}
+
 struct Tester {
     double slack;
 
@@ -98,21 +109,20 @@ struct Tester {
 
 }  // namespace
 
-BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh, const PlaneGroups& groups) {
+BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh, const PlaneGroups& groups,
+                           const std::function<bool()>& go_on) {
     const PatchClusters clusters = make_clusters(scene, mesh, groups);
     cluster_ = clusters.of_patch;
     const std::size_t n = clusters.size(), planes = groups.size();
     const double pairs = static_cast<double>(planes) * static_cast<double>(planes);
-    if (pairs * static_cast<double>(planes) > most_work ||
-        static_cast<double>(n) * static_cast<double>(n) > most_work) {
-        always_ = true;
-        return;
-    }
+    always_ = pairs * static_cast<double>(planes) > most_work ||
+              static_cast<double>(n) * static_cast<double>(n) > most_work;
+    if (always_) return;
     const Tester tester{in_plane * scene_size(scene)};
     const std::vector<Sheet> sheets = make_sheets(scene, groups);
     // Blockers of pairs of planes first: pairs of clusters look at those alone.
     std::vector<std::vector<std::uint32_t>> blockers(planes * planes);
-    tbb::parallel_for(std::size_t{0}, planes, [&](std::size_t s) {
+    always_ = !in_batches(planes, go_on, [&](std::size_t s) {
         for (std::size_t t = s + 1; t < planes; ++t)
             for (std::uint32_t k = 0; k < planes; ++k)
                 if (k != s && k != t &&
@@ -120,9 +130,10 @@ BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh, const Plan
                                      sheets[t]))
                     blockers[s * planes + t].push_back(k);
     });
+    if (always_) return;
     words_ = (n + 63) / 64;
     bits_.assign(n * words_, 0);
-    tbb::parallel_for(std::size_t{0}, n, [&](std::size_t c) {
+    always_ = !in_batches(n, go_on, [&](std::size_t c) {
         for (std::size_t d = 0; d < n; ++d) {
             const auto [first, second] = std::minmax(c, d);
             const std::uint32_t s = clusters.group[first], t = clusters.group[second];

@@ -4,6 +4,7 @@
 #include "solver/scene/plane_groups.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace patchlight {
@@ -14,7 +15,10 @@ namespace patchlight {
 /// hull. Conservative: "may block" can be wrong, "cannot" never is.
 class BlockerTable {
   public:
-    BlockerTable(const Scene& scene, const PatchMesh& mesh, const PlaneGroups& groups);
+    /// `go_on` is asked now and then from the calling thread; false ends the work, and every pair
+    /// may be blocked.
+    BlockerTable(const Scene& scene, const PatchMesh& mesh, const PlaneGroups& groups,
+                 const std::function<bool()>& go_on = {});
 
     bool may_block(PatchIndex i, PatchIndex j) const {
         if (always_) return true;
@@ -22,7 +26,7 @@ class BlockerTable {
     }
 
   private:
-    bool always_ = false;                 // too many surfaces for a table: rays must tell
+    bool always_ = false;                 // there is no table: rays must tell
     std::vector<std::uint32_t> cluster_;  // of each patch
     std::size_t words_ = 0;
     std::vector<std::uint64_t> bits_;

@@ -29,6 +29,7 @@ std::vector<Taken> taken_from(FactorRows& rows, const std::vector<PatchIndex>& p
                          {row.columns.begin(), row.columns.end()},
                          {row.factors.begin(), row.factors.end()},
                          {row.variance.begin(), row.variance.end()}});
+        return true;
     });
     return taken;
 }

@@ -56,8 +56,10 @@ TEST(ViewFactorsProgress, StopsAmongTheRows) {
 
 TEST(ViewFactorsProgress, StopsStreamedRowsToo) {
     const SolveSettings settings = with_little_memory(room(), 0.045);
-    const ViewFactorTable table = view_factors(room(), settings, Grouping::patch,
-                                               [](const Progress&) { return Verdict::stop; });
+    const ViewFactorTable table =
+        view_factors(room(), settings, Grouping::object, [](const Progress& progress) {
+            return progress.fraction > 0.0 ? Verdict::stop : Verdict::go_on;
+        });
     EXPECT_TRUE(table.report.streamed);
     EXPECT_EQ(table.report.status, Status::cancelled);
     EXPECT_EQ(told(table), 0u);

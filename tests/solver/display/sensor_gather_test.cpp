@@ -146,6 +146,24 @@ TEST(SensorGather, UnderARugListedLaterSeesAsTheRug) {
                 element_tolerance);
 }
 
+TEST(SensorGather, KeepsTheFirstSensorsWhenItIsStopped) {
+    Scene scene = lit_by(rectangle(z, y, x));
+    for (int k = 0; k < 1000; ++k) scene.sensors.push_back({"", Vec3::Zero(), z});
+    const CutScene lit = cut(scene, 9.0);
+    const RayScene rays(lit.scene, lit.lines.overlaps);
+    const std::vector<Rgb> radiosity(lit.mesh.size(), Rgb::Ones());
+    int asked = 0;
+    const std::vector<SensorReport> reports =
+        gather_at_sensors(lit.scene, lit.mesh, rays, radiosity, 1, [&](double fraction) {
+            EXPECT_LT(fraction, 1.0);
+            return ++asked < 2;
+        });
+    EXPECT_EQ(asked, 2);
+    EXPECT_LT(reports.size(), scene.sensors.size());
+    ASSERT_FALSE(reports.empty());
+    EXPECT_NEAR(reports.back().irradiance[0], 0.138531605994892997, element_tolerance);
+}
+
 TEST(SensorGather, AWallBetweenHidesAll) {
     Scene scene = lit_by(rectangle(z, y, x));
     add(scene, rectangle(Vec3(-3, -3, 0.5), 7.0 * x, 7.0 * y));

@@ -130,6 +130,15 @@ TEST(BlockerTable, AWallInPiecesIsNoMoreInTheWayThanAWhole) {
     EXPECT_EQ(may, 0);
 }
 
+TEST(BlockerTable, StoppedItRulesNothingOut) {
+    const CutScene empty = cut(room(), 0.5);
+    int asked = 0;
+    const BlockerTable table(empty.scene, empty.mesh, find_plane_groups(empty.scene),
+                             [&] { return ++asked < 2; });
+    EXPECT_EQ(asked, 2);
+    EXPECT_TRUE(table.may_block(0, static_cast<PatchIndex>(empty.mesh.size() - 1)));
+}
+
 TEST(BlockerTable, NamesPairsWithABoxBetween) {
     const CutScene room = cut(room_with_box(), 0.1);
     const BlockerTable table(room.scene, room.mesh, find_plane_groups(room.scene));
