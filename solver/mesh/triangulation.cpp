@@ -12,8 +12,6 @@ namespace patchlight {
 namespace {
 
 constexpr double relative_tolerance = 1e-9;  // of the polygon's size [1]
-constexpr int next(int k) { return (k + 1) % 3; }
-constexpr int previous(int k) { return (k + 2) % 3; }
 
 /// Positive if d is inside the circle through a, b, c (counter-clockwise).
 double in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
@@ -39,7 +37,7 @@ Triangulation::Triangulation(std::span<const Vec2> polygon)
              {none, none, none},
              {}});
         for (int k = 0; k < 3; ++k) {
-            const int a = triangles_[t].vertices[next(k)], b = triangles_[t].vertices[previous(k)];
+            const int a = triangles_[t].vertices[after(k)], b = triangles_[t].vertices[before(k)];
             const auto twin = open.find({b, a});
             if (twin == open.end()) {
                 open[{a, b}] = {t, k};
@@ -67,8 +65,8 @@ std::optional<Triangulation::Place> Triangulation::place_in(int t, const Vec2& p
             return Place{t, none, triangle.vertices[k]};
     int on = none;
     for (int k = 0; k < 3; ++k) {
-        const Vec2 &a = points_[triangle.vertices[next(k)]],
-                   &b = points_[triangle.vertices[previous(k)]];
+        const Vec2 &a = points_[triangle.vertices[after(k)]],
+                   &b = points_[triangle.vertices[before(k)]];
         const double height = turn(a, b, p) / (b - a).norm();
         if (height < -tolerance_) return std::nullopt;
         if (height <= tolerance_) on = k;
@@ -83,7 +81,7 @@ Triangulation::Place Triangulation::locate(const Vec2& p) const {
         int onward = none;
         for (int k = 0; k < 3 && onward == none; ++k) {
             const Triangle& triangle = triangles_[t];
-            if (turn(points_[triangle.vertices[next(k)]], points_[triangle.vertices[previous(k)]],
+            if (turn(points_[triangle.vertices[after(k)]], points_[triangle.vertices[before(k)]],
                      p) < 0.0)
                 onward = triangle.across[k];
         }
@@ -113,8 +111,8 @@ std::optional<int> Triangulation::split_boundary(int a, int b, const Vec2& p) {
     for (int t = 0; t < static_cast<int>(triangles_.size()); ++t)
         for (int k = 0; k < 3; ++k) {
             const Triangle& triangle = triangles_[t];
-            if (triangle.across[k] != none || triangle.vertices[next(k)] != a ||
-                triangle.vertices[previous(k)] != b)
+            if (triangle.across[k] != none || triangle.vertices[after(k)] != a ||
+                triangle.vertices[before(k)] != b)
                 continue;
             const int number = static_cast<int>(points_.size());
             points_.push_back(p);
@@ -142,8 +140,8 @@ void Triangulation::split_triangle(int t, int p) {
                                   static_cast<int>(triangles_.size()) + 1};
     triangles_.resize(triangles_.size() + 2);
     for (int k = 0; k < 3; ++k) {  // part k keeps the edge opposite vertex k
-        triangles_[part[k]] = {{p, old.vertices[next(k)], old.vertices[previous(k)]},
-                               {old.across[k], part[next(k)], part[previous(k)]},
+        triangles_[part[k]] = {{p, old.vertices[after(k)], old.vertices[before(k)]},
+                               {old.across[k], part[after(k)], part[before(k)]},
                                {old.fixed[k], false, false}};
         if (k > 0) relink(old.across[k], t, part[k]);
     }
@@ -156,14 +154,14 @@ void Triangulation::split_edge(int t, int edge, int p) {
     const auto halve = [&](int s, int k) {  // the triangle s, cut from its vertex k to p
         const Triangle old = triangles_[s];
         const int fresh = static_cast<int>(triangles_.size());
-        const int apex = old.vertices[k], a = old.vertices[next(k)], b = old.vertices[previous(k)];
+        const int apex = old.vertices[k], a = old.vertices[after(k)], b = old.vertices[before(k)];
         triangles_.push_back({{apex, p, b},
-                              {none, old.across[next(k)], s},
-                              {old.fixed[k], old.fixed[next(k)], false}});
+                              {none, old.across[after(k)], s},
+                              {old.fixed[k], old.fixed[after(k)], false}});
         triangles_[s] = {{apex, a, p},
-                         {none, fresh, old.across[previous(k)]},
-                         {old.fixed[k], false, old.fixed[previous(k)]}};
-        relink(old.across[next(k)], s, fresh);
+                         {none, fresh, old.across[before(k)]},
+                         {old.fixed[k], false, old.fixed[before(k)]}};
+        relink(old.across[after(k)], s, fresh);
         suspects.emplace_back(s, 2);
         suspects.emplace_back(fresh, 1);
         return fresh;
@@ -184,8 +182,8 @@ bool Triangulation::flip_is_due(int t, int edge) const {
     const Triangle& here = triangles_[t];
     if (here.fixed[edge] || here.across[edge] == none) return false;
     const Triangle& there = triangles_[here.across[edge]];
-    const Vec2 &a = points_[here.vertices[edge]], &b = points_[here.vertices[next(edge)]],
-               &c = points_[here.vertices[previous(edge)]];
+    const Vec2 &a = points_[here.vertices[edge]], &b = points_[here.vertices[after(edge)]],
+               &c = points_[here.vertices[before(edge)]];
     const Vec2& d = points_[there.vertices[edge_towards(here.across[edge], t)]];
     if (turn(a, b, d) <= 0.0 || turn(a, d, c) <= 0.0) return false;  // not convex
     if (turn(a, b, c) <= 0.0 || turn(b, d, c) <= 0.0) return false;  // turned over by rounding
@@ -199,16 +197,16 @@ void Triangulation::flip(int t, int edge) {
     const int s = triangles_[t].across[edge];
     const int back = edge_towards(s, t);
     const Triangle here = triangles_[t], there = triangles_[s];
-    const int a = here.vertices[edge], b = here.vertices[next(edge)],
-              c = here.vertices[previous(edge)], d = there.vertices[back];
+    const int a = here.vertices[edge], b = here.vertices[after(edge)],
+              c = here.vertices[before(edge)], d = there.vertices[back];
     triangles_[t] = {{a, b, d},
-                     {there.across[next(back)], s, here.across[previous(edge)]},
-                     {there.fixed[next(back)], false, here.fixed[previous(edge)]}};
+                     {there.across[after(back)], s, here.across[before(edge)]},
+                     {there.fixed[after(back)], false, here.fixed[before(edge)]}};
     triangles_[s] = {{a, d, c},
-                     {there.across[previous(back)], here.across[next(edge)], t},
-                     {there.fixed[previous(back)], here.fixed[next(edge)], false}};
-    relink(there.across[next(back)], s, t);
-    relink(here.across[next(edge)], t, s);
+                     {there.across[before(back)], here.across[after(edge)], t},
+                     {there.fixed[before(back)], here.fixed[after(edge)], false}};
+    relink(there.across[after(back)], s, t);
+    relink(here.across[after(edge)], t, s);
 }
 
 void Triangulation::legalise(std::vector<std::pair<int, int>> suspects) {
@@ -228,28 +226,6 @@ void Triangulation::legalise(std::vector<std::pair<int, int>> suspects) {
         for (const int changed : {t, s})
             for (int k = 0; k < 3; ++k) suspects.emplace_back(changed, k);
     }
-}
-
-bool Triangulation::mark_edge(int a, int b) {
-    bool found = false;
-    for (Triangle& triangle : triangles_)
-        for (int k = 0; k < 3; ++k) {
-            const int p = triangle.vertices[next(k)], q = triangle.vertices[previous(k)];
-            if ((p != a || q != b) && (p != b || q != a)) continue;
-            triangle.fixed[k] = true;
-            found = true;
-        }
-    return found;
-}
-
-void Triangulation::fix_edge(int a, int b) {
-    if (a == b || mark_edge(a, b)) return;
-    const Vec2 from = points_[a], to = points_[b];
-    if ((to - from).norm() <= 4.0 * tolerance_) return;
-    const std::optional<int> middle = insert(0.5 * (from + to));
-    if (!middle || *middle == a || *middle == b) return;
-    fix_edge(a, *middle);
-    fix_edge(*middle, b);
 }
 
 }  // namespace patchlight

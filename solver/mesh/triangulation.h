@@ -15,6 +15,7 @@ namespace patchlight {
 class Triangulation {
   public:
     static constexpr int none = -1;
+    static constexpr int most_detours = 1024;  // on the way of one edge
     struct Triangle {
         std::array<int, 3> vertices{};                // counter-clockwise
         std::array<int, 3> across{none, none, none};  // triangle beyond the edge opposite vertex k
@@ -32,13 +33,18 @@ class Triangulation {
     /// Adds a point on the polygon's edge between the vertices a and b, neighbours on it, however
     /// near another edge may be. Its number; none if a and b are not neighbours.
     std::optional<int> split_boundary(int a, int b, const Vec2& p);
-    /// Makes a -> b an edge, by points added half-way where it is not one yet.
+    /// Makes a -> b an edge: edges in its way are flipped, fixed ones are cut where it meets them
+    /// (Sloan, "A Fast Algorithm for Generating Constrained Delaunay Triangulations", 1993).
     void fix_edge(int a, int b);
 
     const std::vector<Vec2>& points() const { return points_; }
     const std::vector<Triangle>& triangles() const { return triangles_; }
 
   private:
+    /// The other vertices of a triangle, counter-clockwise.
+    static constexpr int after(int k) { return (k + 1) % 3; }
+    static constexpr int before(int k) { return (k + 2) % 3; }
+
     struct Place {
         int triangle = none;
         int edge = none;    // opposite this vertex lies the edge the point is on
@@ -53,7 +59,20 @@ class Triangulation {
     void flip(int t, int edge);
     void relink(int t, int from, int to);
     int edge_towards(int t, int neighbour) const;
+
+    /// What a walk from one vertex towards another meets first that it cannot pass.
+    struct Walk {
+        std::vector<std::array<int, 2>> crossed;  // edges that can be flipped, by their vertices
+        int vertex = none;                        // one that lies on the way
+        Place wall;                               // a fixed edge
+    };
+    void fix_edge(int a, int b, int& detours);
     bool mark_edge(int a, int b);
+    Place edge_between(int a, int b) const;
+    Walk walk(int a, int b) const;
+    bool step(int t, int from, int a, int b, Walk& walk, Place& onward) const;
+    int cut_wall(const Place& wall, int a, int b);
+    void flip_aside(int a, int b, std::vector<std::array<int, 2>> crossed);
 
     std::vector<Vec2> points_;
     std::vector<Triangle> triangles_;

@@ -205,5 +205,34 @@ TEST(Triangulation, KeepsEdgesThatCross) {
     EXPECT_TRUE(is_joined(mesh, c, d));
 }
 
+TEST(Triangulation, CutsFixedEdgesOnceWhereAnotherMeetsThem) {
+    Triangulation mesh(square);
+    const int a = *mesh.insert({0.1, 0.13}), b = *mesh.insert({0.9, 0.81});
+    const int c = *mesh.insert({0.1, 0.91}), d = *mesh.insert({0.9, 0.22});
+    mesh.fix_edge(a, b);
+    const std::size_t before = mesh.points().size();
+    mesh.fix_edge(c, d);
+    ASSERT_EQ(mesh.points().size(), before + 1);
+    const Vec2 meeting = mesh.points().back();
+    EXPECT_NEAR(turn({0.1, 0.13}, {0.9, 0.81}, meeting), 0.0, 1e-15);
+    EXPECT_NEAR(turn({0.1, 0.91}, {0.9, 0.22}, meeting), 0.0, 1e-15);
+    EXPECT_NEAR(area_of(mesh), 1.0, area_rounding);
+}
+
+TEST(Triangulation, EdgesThatNearlyCoincideTakeFewPoints) {
+    // Halving them until they are apart would take millions.
+    for (const double gap : {1e-4, 1e-6, 1e-8, 3e-9, 1e-9}) {
+        Triangulation mesh(square);
+        add_random_points(mesh, 50, 7);
+        const int a = *mesh.insert({0.1, 0.2}), b = *mesh.insert({0.9, 0.7});
+        const int c = *mesh.insert({0.1, 0.2 + gap}), d = *mesh.insert({0.9, 0.7 - gap});
+        const std::size_t before = mesh.points().size();
+        mesh.fix_edge(a, b);
+        mesh.fix_edge(c, d);
+        EXPECT_LE(mesh.points().size(), before + 2) << gap;
+        EXPECT_NEAR(area_of(mesh), 1.0, area_rounding);
+    }
+}
+
 }  // namespace
 }  // namespace patchlight
