@@ -30,13 +30,19 @@ std::string content_type(ImageFormat format) {
 
 bool needs_codec(ImageFormat format) { return format != ImageFormat::pfm; }
 
+namespace {
+/// 36 samples a pixel: a hundredth of the contrast across a silhouette is left as error.
+constexpr int samples_per_axis = 6;
+}  // namespace
+
 raster::Image take_picture(const Solution& solution, const raster::Camera& camera) {
     std::vector<Rgb> radiance;
     radiance.reserve(solution.display.radiosity.size());
     for (const Rgb& radiosity : solution.display.radiosity)
         radiance.push_back(radiosity / std::numbers::pi);
     return raster::render(camera,
-                          {solution.display.positions, radiance, solution.display.triangles});
+                          {solution.display.positions, radiance, solution.display.triangles},
+                          {samples_per_axis});
 }
 
 std::string encode(const raster::Image& image, ImageFormat format, double exposure) {

@@ -30,12 +30,17 @@ Json settings_of(const Job& job, const Solution& solution) {
             {"solve", solve_block(solution.settings)}};
 }
 
-Json error_of(const ErrorReport& error) {
+Json error_of(const ErrorReport& error, const Scene& scene) {
     Json block = Json::object();
     if (error.target) block["target"] = *error.target;
     if (error.estimate) block["estimate"] = *error.estimate;
     if (error.algebraic_bound) block["algebraic_bound"] = *error.algebraic_bound;
-    if (error.target && error.estimate) block["met"] = *error.estimate <= *error.target;
+    if (error.form_factors) block["form_factors"] = *error.form_factors;
+    if (error.mesh) block["mesh"] = *error.mesh;
+    if (error.target && error.estimate) block["met"] = error.met();
+    if (error.worst)
+        block["worst_object"] = {{"name", scene.objects.at(error.worst->object).name},
+                                 {"estimate", error.worst->estimate}};
     return block;
 }
 
@@ -104,7 +109,7 @@ Json result_json(const Job& job, const Solution& solution, const RunReport& repo
                 {"settings", settings_of(job, solution)},
                 {"method", method_of(solution)},
                 {"patches", solution.mesh.size()},
-                {"error", error_of(solution.error)}};
+                {"error", error_of(solution.error, job.scene)}};
     if (is_solved(solution)) {
         result["energy"] = energy_of(solution.energy);
         result["form_factors"] = form_factors_block(solution.form_factors);

@@ -40,6 +40,10 @@ nlohmann::json number_of(const std::string& option, const std::string& text) {
     return number;
 }
 
+void refuse_accuracy(const std::string&) {
+    throw WrongInput("--accuracy: belongs to `solve`; give --patch-size and --rays");
+}
+
 }  // namespace
 
 void SettingsOptions::add(CLI::App& command, const std::string& option, const std::string& meaning,
@@ -55,10 +59,13 @@ void SettingsOptions::add(CLI::App& command, const std::string& option, const st
 void SettingsOptions::add_to(CLI::App& command, bool solved) {
     constexpr bool text = false;
     constexpr bool number = true;
-    constexpr bool hidden = false;
+    if (solved)
+        add(command, "--accuracy", "relative error wanted; 0.02 unless something is set by hand",
+            number);
+    else
+        command.add_option_function<std::string>("--accuracy", &refuse_accuracy)->group("");
     add(command, "--solver", "auto, gauss-seidel or shooting", text, solved);
     add(command, "--form-factors", "auto, hemicube, ray-cast or analytic", text);
-    add(command, "--accuracy", "relative error wanted", number, hidden);
     add(command, "--patch-size", "longest edge of a patch, in the scene's unit of length", number);
     add(command, "--rays", "rays per patch", number);
     add(command, "--hemicube-resolution", "pixels along the top face of a hemicube", number);

@@ -114,7 +114,8 @@ void read_solve(const JsonValue& block, double metres, SolveSettings& settings) 
                           "hemicube_resolution", "tolerance", "max_iterations", "ambient", "seed",
                           "time_limit", "memory_limit"});
     KeyReader each(block);
-    each("accuracy", [&](const JsonValue&) { refuse_not_built(block, {"accuracy"}); });
+    each("accuracy",
+         [&](const JsonValue& value) { settings.accuracy = value.number(between_zero_and_one); });
     each("solver", [&](const JsonValue& value) { settings.method = read_choice(value, methods); });
     each("form_factors",
          [&](const JsonValue& value) { settings.engine = read_choice(value, engines); });

@@ -2,15 +2,12 @@
 #include "solver/form_factors/hemicube_errors.h"
 #include "solver/form_factors/repair_closure.h"
 #include "solver/make_engine.h"
-#include "solver/patch_fields.h"
 #include "solver/solve_stage.h"
 #include "solver/transport/gauss_seidel.h"
+#include "solver/transport/patch_fields.h"
 
 namespace patchlight {
 
-namespace {
-
-/// False if the work was stopped.
 bool find_form_factors(const SolveStage& stage, ExchangeMatrix& exchange) {
     Solution& solution = stage.solution;
     const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings,
@@ -33,6 +30,8 @@ bool find_form_factors(const SolveStage& stage, ExchangeMatrix& exchange) {
             stage.scene, solution.mesh, stage.rays, hemicube_settings(solution.settings));
     return true;
 }
+
+namespace {
 
 void solve_matrix(const SolveStage& stage, ExchangeMatrix& exchange) {
     Solution& solution = stage.solution;

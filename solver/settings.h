@@ -15,7 +15,9 @@ enum class Engine : std::uint8_t { automatic, hemicube, ray_cast, analytic };
 struct SolveSettings {
     Method method = Method::automatic;
     Engine engine = Engine::automatic;
-    std::optional<double> accuracy;    // relative error asked for [1]
+    std::optional<double> accuracy;    // relative error asked for; 0.02 if none of patch_size,
+                                       // rays, hemicube_resolution, tolerance, max_iterations is
+                                       // given [1]
     std::optional<double> patch_size;  // longest patch edge; half of it: 4 times the patches [m]
     std::optional<int> rays;           // per patch; 4 times as many: half the noise [1]
     std::optional<int> hemicube_resolution;  // pixels along the top face's edge [pixels]

@@ -2,11 +2,11 @@
 #include "solver/form_factors/hemicube_errors.h"
 #include "solver/form_factors/outside_rays.h"
 #include "solver/make_engine.h"
-#include "solver/patch_fields.h"
 #include "solver/rays/low_discrepancy.h"
 #include "solver/solve_plan.h"
 #include "solver/solve_stage.h"
 #include "solver/transport/ambient.h"
+#include "solver/transport/patch_fields.h"
 #include "solver/transport/shooting.h"
 
 namespace patchlight {

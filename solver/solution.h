@@ -30,10 +30,19 @@ struct EnergyReport {
     double defect = 0.0;  // largest |emitted - absorbed - backs - escaped| / emitted [1]
 };
 
+/// Errors of the displayed field, √∫ Y² dA over √∫ Y(B − E)² dA [1].
 struct ErrorReport {
     std::optional<double> target;           // accuracy asked for
-    std::optional<double> estimate;         // of the displayed field
+    std::optional<double> estimate;         // algebraic_bound + √(form_factors² + mesh²)
     std::optional<double> algebraic_bound;  // rigorous, against the stored matrix
+    std::optional<double> form_factors;     // estimated: of the light between patches
+    std::optional<double> mesh;  // estimated: of gathering at vertices and linear interpolation
+    struct Worst {
+        ObjectIndex object = 0;
+        double estimate = 0.0;  // relative to the light the object itself sends back
+    };
+    std::optional<Worst> worst;
+    bool met() const { return target && estimate && *estimate <= *target; }
 };
 
 /// Defects of a matrix: closure is row_sum + backs + escaped = 1, reciprocity A_i F_ij = A_j F_ji.

@@ -2,6 +2,7 @@
 
 #include "solver/mesh/make_patches.h"
 #include "solver/scene/input_error.h"
+#include "solver/transport/row_source.h"
 
 #include <unistd.h>
 
@@ -15,9 +16,15 @@ namespace patchlight {
 
 namespace {
 
+constexpr double default_accuracy = 0.02;
 constexpr int default_analytic_rays = 1024;
+constexpr int coarse_analytic_rays = 256;  // where the display is gathered anew
+constexpr double coarse_patches = 300.0;
+constexpr std::size_t most_matrix_patches = 8000;  // of a coarse solution: more take too long
 constexpr int default_cast_rays = 4096;
 constexpr double default_tolerance = 1e-4;
+constexpr double sweep_share = 0.02, shot_share = 0.15;  // of the accuracy, for the algebraic bound
+constexpr double hand_set_patches = 2000.0;
 constexpr int default_iterations = 1000;
 constexpr int default_shots = 10'000'000;
 constexpr int default_hemicube_resolution = 128;
@@ -27,10 +34,12 @@ void refuse_unbuilt(const SolveSettings& settings) {
     if (settings.method == Method::hierarchical)
         throw InputError("/solve/solver",
                          "this solver is not built yet; use \"gauss-seidel\" or \"shooting\"");
-    if (settings.accuracy)
-        throw InputError(
-            "/solve/accuracy",
-            "solving to an accuracy is not built yet; give `patch_size`, `rays` and `tolerance`");
+}
+
+/// Whether a setting is given that stands in place of an accuracy.
+bool is_set_by_hand(const SolveSettings& settings) {
+    return settings.patch_size || settings.rays || settings.hemicube_resolution ||
+           settings.tolerance || settings.max_iterations;
 }
 
 /// Settings that the chosen method or engine has no use for.
@@ -92,7 +101,8 @@ void choose_method(const Scene& scene, SolveSettings& s) {
         s.method = s.ambient.value_or(false) ? Method::shooting : Method::gauss_seidel;
     if (!is_free) return;
     const std::size_t patches = estimate_patch_count(scene, *s.patch_size);
-    if (estimate_memory(scene, patches, s) <= *s.memory_limit) return;
+    const bool quick = !s.accuracy || patches <= most_matrix_patches;
+    if (quick && estimate_memory(scene, patches, s) <= *s.memory_limit) return;
     s.engine = Engine::ray_cast;
     s.method = Method::shooting;
 }
@@ -104,15 +114,21 @@ SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
     refuse_idle(settings);
     SolvePlan plan{settings, ""};
     SolveSettings& s = plan.settings;
-    if (!s.patch_size) s.patch_size = default_patch_size(scene);
+    if (!s.accuracy && !is_set_by_hand(s)) s.accuracy = default_accuracy;
+    if (!s.patch_size)
+        s.patch_size = patch_size_for(scene, s.accuracy ? coarse_patches : hand_set_patches);
     if (!s.memory_limit) s.memory_limit = machine_memory();
     choose_method(scene, s);
     const bool shoots = s.method == Method::shooting;
     if (!s.rays && s.engine != Engine::hemicube)
-        s.rays = s.engine == Engine::analytic ? default_analytic_rays : default_cast_rays;
+        s.rays = s.engine != Engine::analytic ? default_cast_rays
+                 : s.accuracy                 ? coarse_analytic_rays
+                                              : default_analytic_rays;
     if (!s.hemicube_resolution && s.engine == Engine::hemicube)
         s.hemicube_resolution = default_hemicube_resolution;
-    if (!s.tolerance) s.tolerance = default_tolerance;
+    if (!s.tolerance)
+        s.tolerance =
+            s.accuracy ? (shoots ? shot_share : sweep_share) * *s.accuracy : default_tolerance;
     if (!s.max_iterations) s.max_iterations = shoots ? default_shots : default_iterations;
     if (!s.ambient && shoots) s.ambient = true;
     if (s.threads <= 0)
@@ -188,14 +204,6 @@ CostEstimate estimate_cost(const Scene& scene, const SolveSettings& settings) {
     const double times = s.method == Method::shooting ? shots_per_patch : 1.0;
     cost.seconds = (times * rows + seconds_per_entry * n * n) / s.threads;
     return cost;
-}
-
-bool is_grey(const Scene& scene) {
-    return std::all_of(
-        scene.materials.begin(), scene.materials.end(), [](const Material& material) {
-            const auto grey = [](const Rgb& x) { return x[0] == x[1] && x[1] == x[2]; };
-            return grey(material.reflectance) && grey(material.exitance);
-        });
 }
 
 }  // namespace patchlight

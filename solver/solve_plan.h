@@ -14,9 +14,6 @@ struct SolvePlan {
     std::string why;
 };
 
-/// What shooting may keep of the rows it asked for: the brightest patches shoot again and again.
-constexpr std::size_t kept_row_bytes = std::size_t{64} << 20;
-
 /// Throws InputError("/solve/...") if a setting asks for what cannot be done.
 SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings);
 

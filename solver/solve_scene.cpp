@@ -5,10 +5,10 @@
 #include "solver/display/vertex_radiosity.h"
 #include "solver/flaws.h"
 #include "solver/mesh/make_patches.h"
-#include "solver/patch_fields.h"
 #include "solver/scene/input_error.h"
 #include "solver/solve_plan.h"
 #include "solver/solve_stage.h"
+#include "solver/transport/patch_fields.h"
 
 #include <oneapi/tbb/global_control.h>
 
@@ -84,11 +84,17 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     solution.seconds.mesh = watch.lap();
     const RayScene rays(scene, lines.overlaps);
     const SolveStage stage{scene, rays, watch, solution};
+    if (solution.settings.accuracy) {
+        solve_to_accuracy(stage, lines);
+        solution.objects = measure_objects(scene, solution);
+        return solution;
+    }
     const DisplayHints hints = solution.settings.method == Method::shooting
                                    ? solve_by_shooting(stage)
                                    : solve_on_matrix(stage);
     solution.display = display_of(stage, hints);
     gather(stage);
+    if (solution.status != Status::cancelled) check_solution(stage, lines);
     solution.objects = measure_objects(scene, solution);
     solution.seconds.display = watch.lap();
     return solution;

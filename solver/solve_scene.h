@@ -28,7 +28,4 @@ std::vector<Finding> find_flaws(const Scene& scene);
 /// is told by `status`, with the solution so far.
 Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe);
 
-/// All reflectances and exitances are grey: one channel carries all three.
-bool is_grey(const Scene& scene);
-
 }  // namespace patchlight

@@ -5,6 +5,7 @@
 #include "solver/form_factors/hemicube_errors.h"
 #include "solver/form_factors/repair_closure.h"
 #include "solver/make_engine.h"
+#include "solver/mesh/make_patches.h"
 #include "solver/scene/input_error.h"
 #include "solver/solve_plan.h"
 #include "solver/watch.h"
@@ -19,6 +20,7 @@ namespace patchlight {
 
 namespace {
 
+constexpr double default_patches = 2000.0;
 constexpr double most_kept = 2147483648.0;  // [bytes]
 constexpr double kept_share = 0.25;         // of the memory limit
 constexpr double bytes_per_pair = 40.0;     // matrix, its transposed index, and room to grow
@@ -146,6 +148,8 @@ ViewFactorSolver::ViewFactorSolver(const Scene& scene, const SolveSettings& sett
     Watch watch({}, std::nullopt);
     SolveSettings asked = settings;
     asked.method = Method::shooting;  // its memory is that of rows, not of the matrix
+    asked.accuracy.reset();           // that is one of light
+    if (!asked.patch_size) asked.patch_size = patch_size_for(scene, default_patches);
     settings_ = plan_solve(scene, asked).settings;
     check_memory(scene, estimate_patch_count(scene, *settings_.patch_size), settings_);
     lines_ = find_mesh_lines(scene);

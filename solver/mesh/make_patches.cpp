@@ -14,7 +14,6 @@ namespace patchlight {
 
 namespace {
 
-constexpr double default_patch_count = 2000.0;
 constexpr double no_area = 1e-12;  // of its surface's: of a patch too narrow for rounding [1]
 
 struct Mesher {
@@ -156,10 +155,10 @@ double estimate_polygon(const Surface& surface, double patch_size) {
 
 }  // namespace
 
-double default_patch_size(const Scene& scene) {
+double patch_size_for(const Scene& scene, double patches) {
     double area = 0.0;
     for (const Surface& surface : scene.surfaces) area += surface.area;
-    return std::sqrt(area / default_patch_count);
+    return std::sqrt(area / patches);
 }
 
 std::size_t estimate_patch_count(const Scene& scene, double patch_size) {

@@ -6,8 +6,8 @@
 
 namespace patchlight {
 
-/// Longest patch edge that cuts the scene into some two thousand patches [m].
-double default_patch_size(const Scene& scene);
+/// Longest patch edge that cuts the scene into about so many patches [m].
+double patch_size_for(const Scene& scene, double patches);
 
 /// About how many patches `make_patches` will make; allocates nothing of their number.
 std::size_t estimate_patch_count(const Scene& scene, double patch_size);

@@ -141,4 +141,12 @@ double scene_size(const Scene& scene) {
 
 double contact_distance(const Scene& scene) { return 1e-6 * scene_size(scene); }
 
+bool is_grey(const Scene& scene) {
+    return std::all_of(
+        scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+            const auto grey = [](const Rgb& x) { return x[0] == x[1] && x[1] == x[2]; };
+            return grey(material.reflectance) && grey(material.exitance);
+        });
+}
+
 }  // namespace patchlight

@@ -81,4 +81,7 @@ double scene_size(const Scene& scene);
 /// Surfaces no farther apart than this touch: 1e-6 of the scene's size [m].
 double contact_distance(const Scene& scene);
 
+/// All reflectances and exitances are grey: one channel carries all three.
+bool is_grey(const Scene& scene);
+
 }  // namespace patchlight

@@ -16,6 +16,9 @@ struct ClosedRow {
     Outside outside;
 };
 
+/// What shooting may keep of the rows it asked for: the brightest patches shoot again and again.
+constexpr std::size_t kept_row_bytes = std::size_t{64} << 20;
+
 /// Rows on demand. Those asked for first, the brightest, are kept as long as they fit in `bytes`;
 /// others are computed anew each time.
 class RowSource {

@@ -69,7 +69,7 @@ TEST(HemicubeViewFactors, MeetThePublishedFactorsToTheErrorsTheyReport) {
         SolveSettings settings;
         settings.engine = Engine::hemicube;
         settings.hemicube_resolution = 64;
-        settings.patch_size = 2.0 * default_patch_size(scene);
+        settings.patch_size = 2.0 * patch_size_for(scene, 2000.0);
         const Solution solution = solve(scene, settings);
         const HemicubeErrors& errors = *solution.form_factors.hemicube;
         const double patches = solution.mesh.first_of_surface[1];

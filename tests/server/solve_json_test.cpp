@@ -46,13 +46,15 @@ TEST(SolveJson, ThePatchSizeIsInTheUnitOfTheScene) {
 
 TEST(SolveJson, WhatIsNotBuiltYetIsRefused) {
     expect_setting_rejected("solver", "\"hierarchical\"", "not built yet");
-    expect_setting_rejected("accuracy", "0.01", "not built yet");
 }
 
 TEST(SolveJson, WrongSettingsAreRefused) {
     expect_setting_rejected("solver", "\"gaus-seidel\"", "did you mean 'gauss-seidel'?");
     expect_setting_rejected("solver", "3", "must be a text");
     expect_setting_rejected("form_factors", "\"raycast\"", "did you mean 'ray-cast'?");
+    expect_setting_rejected("accuracy", "0", "above 0");
+    expect_setting_rejected("accuracy", "1");
+    expect_setting_rejected("accuracy", "-0.1");
     expect_setting_rejected("patch_size", "0", "above 0");
     expect_setting_rejected("patch_size", "-1");
     expect_setting_rejected("patch_size", "1e-200", "cannot be made");

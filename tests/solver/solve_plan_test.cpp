@@ -26,7 +26,6 @@ std::string refused_at(const std::function<void(SolveSettings&)>& change) {
 TEST(PlanSolve, RefusesWhatIsNotBuiltWithThePointer) {
     EXPECT_EQ(refused_at([](SolveSettings& s) { s.method = Method::hierarchical; }),
               "/solve/solver");
-    EXPECT_EQ(refused_at([](SolveSettings& s) { s.accuracy = 0.01; }), "/solve/accuracy");
 }
 
 TEST(PlanSolve, RefusesSettingsThatWouldDoNothing) {
@@ -62,12 +61,32 @@ TEST(PlanSolve, MakesEveryChoice) {
     const SolvePlan plan = plan_solve(room(), {});
     EXPECT_EQ(plan.settings.method, Method::gauss_seidel);
     EXPECT_EQ(plan.settings.engine, Engine::analytic);
-    EXPECT_EQ(plan.settings.patch_size, default_patch_size(room()));
+    EXPECT_EQ(plan.settings.accuracy, 0.02);
+    EXPECT_TRUE(plan.settings.patch_size);
     EXPECT_TRUE(plan.settings.rays && plan.settings.tolerance && plan.settings.max_iterations &&
                 plan.settings.memory_limit);
     EXPECT_GE(plan.settings.threads, 1);
     EXPECT_FALSE(plan.settings.time_limit);
     EXPECT_FALSE(plan.why.empty());
+}
+
+TEST(PlanSolve, HasNoTargetWhereSomethingIsSetByHand) {
+    const auto accuracy = [](const std::function<void(SolveSettings&)>& change) {
+        SolveSettings settings;
+        change(settings);
+        return plan_solve(room(), settings).settings.accuracy;
+    };
+    EXPECT_FALSE(accuracy([](SolveSettings& s) { s.patch_size = 0.5; }));
+    EXPECT_FALSE(accuracy([](SolveSettings& s) { s.rays = 64; }));
+    EXPECT_FALSE(accuracy([](SolveSettings& s) { s.hemicube_resolution = 64; }));
+    EXPECT_FALSE(accuracy([](SolveSettings& s) { s.tolerance = 1e-3; }));
+    EXPECT_FALSE(accuracy([](SolveSettings& s) { s.max_iterations = 10; }));
+    EXPECT_EQ(accuracy([](SolveSettings& s) { s.seed = 7; }), 0.02);
+    EXPECT_EQ(accuracy([](SolveSettings& s) {
+                  s.patch_size = 0.5;
+                  s.accuracy = 0.1;
+              }),
+              0.1);
 }
 
 TEST(PlanSolve, ShootsWhereTheMatrixWouldNotFit) {

@@ -52,7 +52,7 @@ const std::vector<Door> doors = {
      form_factors + Paths{"raster/item_buffer.h", "raster/camera.h"}},
     {"solver/transport/", transport},
     {"solver/hierarchy/", hierarchy},
-    {"solver/accuracy/", below_accuracy + Paths{"solver/accuracy/"}},
+    {"solver/accuracy/", below_accuracy + Paths{"solver/accuracy/", "solver/display/"}},
     {"solver/display/", below_accuracy + Paths{"solver/display/"}},
     {"solver/settings.h", {}},
     {"solver/solution.h", mesh + Paths{"solver/settings.h"}},

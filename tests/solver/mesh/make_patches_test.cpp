@@ -152,7 +152,8 @@ TEST(MakePatches, KeepsPatchesOfFairShapesFair) {
 TEST(MakePatches, MakesAboutTwoThousandPatchesByDefault) {
     for (const double scale : {1e-3, 1.0, 1e4}) {
         const Scene scene = moved(room_with_box(), {scale});
-        const double count = static_cast<double>(cut(scene, default_patch_size(scene)).mesh.size());
+        const double count =
+            static_cast<double>(cut(scene, patch_size_for(scene, 2000.0)).mesh.size());
         EXPECT_NEAR(count, 2000.0, 0.25 * 2000.0) << scale;  // whole cells, and creases
     }
 }

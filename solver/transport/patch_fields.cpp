@@ -1,6 +1,4 @@
-#include "solver/patch_fields.h"
-
-#include "solver/solve_scene.h"
+#include "solver/transport/patch_fields.h"
 
 namespace patchlight {
 

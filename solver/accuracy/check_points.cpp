@@ -1,0 +1,178 @@
+#include "solver/accuracy/check_points.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace patchlight {
+
+namespace {
+
+struct TrianglePick {
+    std::vector<double> area;        // of triangles [m²]
+    std::vector<double> cumulative;  // of the chance to be picked, ends at 1
+    std::vector<double> chance;
+};
+
+/// A third of the points falls by area, a third where it is bright, a third where it is steep.
+TrianglePick make_pick(const TreeDisplay& shown) {
+    TrianglePick pick;
+    std::vector<std::array<double, 3>> by(shown.display.triangles.size());
+    std::array<double, 3> sum{};
+    const auto level = [&](std::uint32_t v) {
+        const Rgb direct =
+            shown.arriving.direct.empty() ? Rgb(Rgb::Zero()) : shown.arriving.direct[v];
+        return luminance(direct + shown.arriving.indirect[v]);
+    };
+    for (std::size_t t = 0; t < by.size(); ++t) {
+        const auto [a, b, c] = shown.display.triangles[t];
+        const auto& p = shown.display.positions;
+        pick.area.push_back(0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm());
+        const auto [low, high] = std::minmax({level(a), level(b), level(c)});
+        by[t] = {pick.area[t], pick.area[t] * high * high,
+                 pick.area[t] * (high - low) * (high - low)};
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += by[t][k];
+    }
+    double total = 0.0;
+    for (std::size_t t = 0; t < by.size(); ++t) {
+        double chance = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            chance += (sum[k] > 0.0 ? by[t][k] / sum[k] : by[t][0] / sum[0]) / 3.0;
+        pick.chance.push_back(chance);
+        pick.cumulative.push_back(total += chance);
+    }
+    for (double& value : pick.cumulative) value /= total;
+    return pick;
+}
+
+double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+
+/// A random point of the display.
+struct CheckPoint {
+    std::size_t triangle = 0;
+    std::array<double, 3> weight{};  // of its corners [1]
+    GatherPoint place;
+    double density = 1.0;  // of points [1/m²]
+    Rgb reflectance = Rgb::Zero();
+    ObjectIndex object = 0;
+};
+
+MeasuredError measure(const std::vector<double>& products) {
+    const double n = static_cast<double>(products.size());
+    MeasuredError error;
+    if (products.size() < 2) return error;
+    for (const double product : products) error.square += product / n;
+    for (const double product : products)
+        error.variance += (product - error.square) * (product - error.square) / (n * (n - 1.0));
+    return error;
+}
+
+struct Checker {
+    const Scene& scene;
+    const TreeDisplay& shown;
+    const VertexGather& gather;
+    std::uint64_t seed;
+    TrianglePick pick;
+
+    std::uint64_t key(std::size_t k, std::uint64_t use) const { return mix(seed, 8 * k + use); }
+
+    /// Number k of n, stratified along the cumulated chance.
+    CheckPoint point(std::size_t k, std::size_t n) const {
+        const double at = (static_cast<double>(k) + unit(key(k, 0))) / static_cast<double>(n);
+        const auto found = std::upper_bound(pick.cumulative.begin(), pick.cumulative.end(), at);
+        CheckPoint point;
+        point.triangle = std::min(static_cast<std::size_t>(found - pick.cumulative.begin()),
+                                  pick.cumulative.size() - 1);
+        const double root = std::sqrt(unit(key(k, 1))), v = unit(key(k, 2));
+        point.weight = {1.0 - root, root * (1.0 - v), root * v};
+        const auto& corners = shown.display.triangles[point.triangle];
+        Vec3 position = Vec3::Zero();
+        for (std::size_t c = 0; c < 3; ++c)
+            position += point.weight[c] * shown.display.positions[corners[c]];
+        const PatchIndex patch = shown.display.patch[point.triangle];
+        const Surface& surface = scene.surfaces[gather.surface_of(patch)];
+        point.place = gather.point(patch, position);
+        point.density = pick.chance[point.triangle] / pick.area[point.triangle];
+        point.reflectance = scene.materials[surface.material].reflectance;
+        point.object = surface.object;
+        return point;
+    }
+
+    Rgb shown_at(const CheckPoint& point, const std::vector<Rgb>& values) const {
+        const auto& corners = shown.display.triangles[point.triangle];
+        Rgb sum = Rgb::Zero();
+        for (std::size_t c = 0; c < 3; ++c) sum += point.weight[c] * values[corners[c]];
+        return sum;
+    }
+
+    /// Products of two differences at n points, and their sums by object.
+    MeasuredError compare(std::size_t n, const std::vector<Rgb>& values,
+                          const std::function<Rgb(const GatherPoint&, std::uint64_t)>& anew,
+                          CheckReport& report) const {
+        std::vector<double> products(n), means(n);
+        std::vector<ObjectIndex> objects(n);
+        tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
+            const CheckPoint checked = point(k, n);
+            const Rgb value = shown_at(checked, values);
+            std::array<double, 2> miss{};
+            for (std::uint64_t half = 0; half < 2; ++half)
+                miss[half] = luminance(checked.reflectance *
+                                       (value - anew(checked.place, key(k, 3 + half))));
+            products[k] = miss[0] * miss[1] / checked.density;
+            means[k] = 0.5 * (miss[0] + miss[1]) / checked.density;
+            objects[k] = checked.object;
+        });
+        for (std::size_t k = 0; k < n; ++k) {
+            CheckReport::OfObject& object = report.of_object[objects[k]];
+            object.square += products[k] / static_cast<double>(n);
+            ++object.points;
+        }
+        MeasuredError error = measure(products);
+        for (const double mean : means) error.mean += mean / static_cast<double>(n);
+        return error;
+    }
+};
+
+}  // namespace
+
+double MeasuredError::at_most(double standard_errors) const {
+    return std::sqrt(std::max(0.0, square + standard_errors * std::sqrt(variance)));
+}
+
+double CheckReport::at_most(double standard_errors) const {
+    const double spread = standard_errors * std::sqrt(direct.variance + indirect.variance);
+    return std::sqrt(std::max(0.0, direct.square + indirect.square + spread));
+}
+
+CheckReport check_display(const Scene& scene, const TreeDisplay& shown, const VertexGather& gather,
+                          const ReflectedField& field, const CheckEffort& effort,
+                          std::uint64_t seed) {
+    CheckReport report;
+    report.of_object.resize(scene.objects.size());
+    if (shown.display.triangles.empty()) return report;
+    const Checker checker{scene, shown, gather, seed, make_pick(shown)};
+    const auto direct = [&](const GatherPoint& point, std::uint64_t key) {
+        return gather.gather().direct(point, effort.direct, key);
+    };
+    const auto indirect = [&](const GatherPoint& point, std::uint64_t key) {
+        return gather.gather().indirect(point, field, effort.rays, key).irradiance;
+    };
+    const auto all = [&](const GatherPoint& point, std::uint64_t key) {
+        return Rgb(direct(point, key) + indirect(point, key));
+    };
+    const auto n = static_cast<std::size_t>(effort.indirect_points);
+    if (shown.arriving.direct.empty()) {
+        report.indirect = checker.compare(n, shown.arriving.indirect, all, report);
+        return report;
+    }
+    report.direct = checker.compare(static_cast<std::size_t>(effort.direct_points),
+                                    shown.arriving.direct, direct, report);
+    report.indirect = checker.compare(n, shown.arriving.indirect, indirect, report);
+    return report;
+}
+
+}  // namespace patchlight

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "solver/display/tree_display.h"
+#include "solver/display/vertex_gather.h"
+
+#include <cstdint>
+
+namespace patchlight {
+
+/// A part of the displayed radiosity's error, √∫ Y² dA [W/m], and how sure that is.
+struct MeasuredError {
+    double square = 0.0;    // mean of what was measured; noise may bring it below 0 [W²/m²]
+    double variance = 0.0;  // of `square`
+    double mean = 0.0;      // signed, ∫ Y dA [W]
+    /// With so many standard errors on top; never below 0 [W/m].
+    double at_most(double standard_errors) const;
+};
+
+struct CheckReport {
+    MeasuredError direct, indirect;
+    struct OfObject {
+        double square = 0.0;  // of both [W²/m²]
+        int points = 0;
+    };
+    std::vector<OfObject> of_object;
+    double mean() const { return direct.mean + indirect.mean; }
+    /// Both together: their causes are independent [W/m].
+    double at_most(double standard_errors) const;
+};
+
+struct CheckEffort {
+    int direct_points = 2048;
+    DirectEffort direct{64, 1024};
+    int indirect_points = 384;
+    int rays = 2048;
+};
+
+/// The displayed irradiance against what is gathered anew at random points, denser where it is
+/// brighter or steeper. Each point is gathered twice, independently: the product of both
+/// differences has no share of their noise in the mean. If `field` is what is displayed, this is
+/// the residual of the radiosity equation. Where `shown` has no direct part its indirect part is
+/// all that arrives.
+CheckReport check_display(const Scene& scene, const TreeDisplay& shown, const VertexGather& gather,
+                          const ReflectedField& field, const CheckEffort& effort,
+                          std::uint64_t seed);
+
+}  // namespace patchlight

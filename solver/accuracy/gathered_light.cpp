@@ -1,0 +1,144 @@
+#include "solver/accuracy/gathered_light.h"
+
+#include "solver/display/patch_slopes.h"
+#include "solver/transport/patch_fields.h"
+
+#include <cmath>
+#include <utility>
+
+namespace patchlight {
+
+namespace {
+constexpr double correction_tolerance = 0.1;  // of a correction that is itself small [1]
+}
+
+GatheredLight::GatheredLight(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                             const MeshLines& lines, std::uint64_t seed,
+                             std::function<bool()> go_on)
+    : scene_(scene),
+      mesh_(mesh),
+      rays_(rays),
+      seed_(seed),
+      pass_(scene, mesh, rays, lines, seed, std::move(go_on)),
+      locator_(scene, mesh, rays),
+      irradiance_(mesh.size(), Rgb::Zero()) {
+    sort_exitance();
+}
+
+/// Of emitters too many to be gathered from one by one, rays read the light.
+void GatheredLight::sort_exitance() {
+    std::vector<bool> listed(scene_.surfaces.size(), false);
+    for (const LightSource& source : pass_.points().gather().sources())
+        listed[source.surface] = true;
+    listed_exitance_ = exitances(scene_, mesh_);
+    other_exitance_.assign(mesh_.size(), Rgb::Zero());
+    for (PatchIndex i = 0; i < mesh_.size(); ++i)
+        if (!listed[mesh_.patches[i].surface]) std::swap(listed_exitance_[i], other_exitance_[i]);
+}
+
+bool GatheredLight::start(const CoarseTransport& transport, const std::vector<double>& backs,
+                          const DirectEffort& effort, double tolerance,
+                          const CoarseTransport::Observe& observe) {
+    constexpr double whatever_is_missed = 1e300;
+    backs_ = backs;
+    coarse_.emplace(scene_, mesh_, transport, other_exitance_);
+    if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
+        exact_direct_ = to_rgb(*once);
+    if (!pass_.refine_direct(whatever_is_missed, effort)) return false;
+    return solve_coarse(tolerance, observe);
+}
+
+bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observe& observe) {
+    direct_means_ = means().direct;
+    return coarse_->solve(direct_means_, tolerance, observe);
+}
+
+double GatheredLight::norm() const {
+    if (reflects()) return coarse_->norm();
+    double sum = 0.0;
+    for (PatchIndex i = 0; i < mesh_.size(); ++i) {
+        const double y = DisplayPass::least_weight * luminance(direct_means_[i]);
+        sum += mesh_.patches[i].area * y * y;
+    }
+    return std::sqrt(sum);
+}
+
+/// Means over patches: direct light of those that nothing can shade from the matrix, where it is
+/// exact.
+SplitIrradiance GatheredLight::means() {
+    SplitIrradiance means = patch_means(pass_.show({}), mesh_.size());
+    if (exact_direct_.empty()) return means;
+    for (PatchIndex i = 0; i < mesh_.size(); ++i)
+        if (!pass_.points().may_be_shaded(i)) means.direct[i] = exact_direct_[i];
+    return means;
+}
+
+/// What is displayed, without the sources that are gathered from one by one.
+FieldTable GatheredLight::table_of(const TreeDisplay& shown) const {
+    std::vector<Rgb> values = shown.display.radiosity;
+    std::vector<bool> done(values.size(), false);
+    for (std::size_t t = 0; t < shown.display.triangles.size(); ++t)
+        for (const std::uint32_t v : shown.display.triangles[t]) {
+            if (done[v]) continue;
+            done[v] = true;
+            values[v] = (values[v] - listed_exitance_[shown.display.patch[t]]).max(0.0);
+        }
+    return {mesh_, shown.display, rays_, values};
+}
+
+/// Rays read direct light as finely as it is known, and the rest from the coarse solution.
+void GatheredLight::read_coarse() {
+    const TreeDisplay shown = pass_.show({});
+    const std::vector<Rgb> direct = patch_means(shown, mesh_.size()).direct;
+    field_means_ = coarse_->reflected();
+    std::vector<Rgb> rest = field_means_;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        rest[i] -= other_exitance_[i] + coarse_->reflectance()[i] * direct[i];
+    FieldTable table = table_of(shown);
+    add_sloped(scene_, mesh_, rest, backs_, table);
+    field_.emplace(scene_, mesh_, rays_, locator_, std::move(table));
+}
+
+const GatherNoise& GatheredLight::noise() {
+    if (!field_) read_coarse();
+    if (!noise_) noise_.emplace(scene_, mesh_, pass_.points(), *field_, mix(seed_, 0x6e6f6973));
+    return *noise_;
+}
+
+bool GatheredLight::gather(const GatherAim& aim, double tolerance,
+                           const CoarseTransport::Observe& observe) {
+    if (!pass_.refine_direct(aim.direct * norm(), aim.effort)) return false;
+    if (!shown_) {
+        if (!solve_coarse(tolerance, observe)) return false;
+        read_coarse();
+    }
+    pass_.restart_indirect();
+    if (!pass_.refine_indirect(aim.indirect * norm(), *field_, aim.rays)) return false;
+    const SplitIrradiance gathered = means();
+    std::vector<Rgb> change = other_exitance_;
+    for (std::size_t i = 0; i < change.size(); ++i)
+        change[i] += coarse_->reflectance()[i] * (gathered.direct[i] + gathered.indirect[i]) -
+                     field_means_[i];
+    correction_ = coarse_->correct(change, correction_tolerance);
+    shown_ = pass_.show(correction_.irradiance);
+    field_.emplace(scene_, mesh_, rays_, locator_, table_of(*shown_));
+    direct_means_ = gathered.direct;
+    const SplitIrradiance corrected = patch_means(*shown_, mesh_.size());
+    for (std::size_t i = 0; i < change.size(); ++i) {
+        irradiance_[i] = direct_means_[i] + corrected.indirect[i];
+        field_means_[i] = other_exitance_[i] + coarse_->reflectance()[i] * irradiance_[i];
+    }
+    return true;
+}
+
+CheckReport GatheredLight::check(const CheckEffort& effort, std::uint64_t seed) const {
+    return check_display(scene_, *shown_, pass_.points(), *field_, effort, seed);
+}
+
+ReflectedLight GatheredLight::reflected() const {
+    std::vector<Rgb> reflected = field_means_;
+    for (std::size_t i = 0; i < reflected.size(); ++i) reflected[i] -= other_exitance_[i];
+    return measure_reflected(scene_, mesh_, reflected, direct_means_);
+}
+
+}  // namespace patchlight

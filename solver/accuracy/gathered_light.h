@@ -1,0 +1,78 @@
+#pragma once
+
+#include "solver/accuracy/check_points.h"
+#include "solver/accuracy/coarse_solution.h"
+#include "solver/accuracy/error_estimate.h"
+#include "solver/accuracy/gather_noise.h"
+#include "solver/display/display_pass.h"
+
+#include <optional>
+
+namespace patchlight {
+
+/// What one round of gathering aims at.
+struct GatherAim {
+    double direct = 0.0, indirect = 0.0;  // that interpolation may miss of either, over `norm` [1]
+    DirectEffort effort;
+    int rays = 32;  // at a point
+};
+
+/// The light of a scene as it is displayed, and the coarse solution behind it. Each round gathers
+/// anew from what the round before displayed, and sends on with the coarse transport what that
+/// changed.
+class GatheredLight {
+  public:
+    GatheredLight(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                  const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on);
+
+    /// Direct light at the corners of patches and the coarse solution that follows. `backs`: the
+    /// share of each patch's light that lands on backs. False if the work was stopped.
+    bool start(const CoarseTransport& transport, const std::vector<double>& backs,
+               const DirectEffort& effort, double tolerance,
+               const CoarseTransport::Observe& observe);
+    /// One round. False if the work was stopped: then what is displayed is as before.
+    bool gather(const GatherAim& aim, double tolerance, const CoarseTransport::Observe& observe);
+
+    /// What errors are beside: √∫ Y(B - E)² dA, or where nothing is sent back √∫ Y² dA of what
+    /// arrives, as the display weighs it [W/m].
+    double norm() const;
+    bool reflects() const { return coarse_->norm() > 0.0; }
+    CheckReport check(const CheckEffort& effort, std::uint64_t seed) const;
+    ReflectedLight reflected() const;
+    double correction() const { return correction_.size; }  // of the last round, over `norm` [1]
+
+    const TreeDisplay* shown() const { return shown_ ? &*shown_ : nullptr; }
+    const std::vector<Rgb>& irradiance() const { return irradiance_; }  // means of patches [W/m²]
+    const ReflectedField* field() const { return field_ ? &*field_ : nullptr; }
+    const GatherNoise& noise();  // measured when first asked for
+    const DisplayPass& pass() const { return pass_; }
+    const Transported& coarse() const { return coarse_->transported(); }
+
+  private:
+    void sort_exitance();
+    SplitIrradiance means();
+    FieldTable table_of(const TreeDisplay& shown) const;
+    bool solve_coarse(double tolerance, const CoarseTransport::Observe& observe);
+    void read_coarse();
+
+    const Scene& scene_;
+    const PatchMesh& mesh_;
+    const RayScene& rays_;
+    std::uint64_t seed_;
+    DisplayPass pass_;
+    PatchLocator locator_;
+    std::vector<double> backs_;         // [1]
+    std::vector<Rgb> listed_exitance_;  // per patch, of sources gathered from one by one [W/m²]
+    std::vector<Rgb> other_exitance_;   // per patch: of the rest, which rays read [W/m²]
+    std::optional<CoarseSolution> coarse_;
+    std::optional<ReflectedField> field_;
+    std::vector<Rgb> field_means_;   // per patch [W/m²]
+    std::vector<Rgb> direct_means_;  // per patch, straight from sources [W/m²]
+    std::vector<Rgb> exact_direct_;  // the same by the matrix; right where nothing can shade
+    std::vector<Rgb> irradiance_;
+    CoarseSolution::Correction correction_;
+    std::optional<TreeDisplay> shown_;
+    std::optional<GatherNoise> noise_;
+};
+
+}  // namespace patchlight

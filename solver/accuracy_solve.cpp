@@ -1,0 +1,249 @@
+#include "solver/accuracy/energy.h"
+#include "solver/accuracy/gathered_light.h"
+#include "solver/display/sensor_light.h"
+#include "solver/display/vertex_radiosity.h"
+#include "solver/form_factors/outside_rays.h"
+#include "solver/make_engine.h"
+#include "solver/solve_stage.h"
+#include "solver/transport/patch_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace patchlight {
+
+namespace {
+
+/// Shares of the target that causes of error are planned to have. What they come to is measured.
+constexpr double direct_share = 0.15, indirect_share = 0.15, noise_share = 0.35;
+constexpr double planned = 0.8;             // of the target: all causes together, measured
+constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
+constexpr double uncorrected = 2.0;         // times a change that could not be sent on
+constexpr double coarser = 3.0;             // times the target, in the rounds before the last
+constexpr double one_round = 0.05;          // targets from here on need no rounds before
+constexpr double still_settling = 0.7;      // of the error before: rounds still bring it down
+constexpr int most_rounds = 12;
+constexpr int fewest_rays = 32, most_rays = 1 << 15;  // multiples of 32
+constexpr int probe_rays = 64;
+
+class AccuracySolve {
+  public:
+    AccuracySolve(const SolveStage& stage, const MeshLines& lines)
+        : stage_(stage),
+          solution_(stage.solution),
+          target_(*stage.solution.settings.accuracy),
+          light_(stage.scene, solution_.mesh, stage.rays, lines, seed(0x76657274),
+                 [this] { return go_on(); }) {}
+
+    void run();
+
+  private:
+    std::uint64_t seed(std::uint64_t stream) const { return mix(solution_.settings.seed, stream); }
+    bool go_on() {
+        if (stopped_ == StopReason::tolerance) stopped_ = stage_.watch.step({Stage::display});
+        return stopped_ == StopReason::tolerance;
+    }
+    StopReason observe(int iteration, double residual) {
+        if (stopped_ == StopReason::tolerance)
+            stopped_ = stage_.watch.step({Stage::solve, 0.0, iteration, residual});
+        return stopped_;
+    }
+    bool prepare_transport();
+    bool gather(double coarseness);
+    void measure(const CheckEffort& effort);
+    void aim_closer();
+    void settle();
+    void finish();
+    void light_sensors();
+
+    const SolveStage& stage_;
+    Solution& solution_;
+    double target_;
+    StopReason stopped_ = StopReason::tolerance;
+    GatheredLight light_;
+    ExchangeMatrix exchange_;
+    std::vector<double> backs_, escaped_;  // shares of each patch's light [1]
+    std::unique_ptr<FormFactorEngine> engine_;
+    std::unique_ptr<CoarseTransport> transport_;
+    GatherAim aim_;
+    std::optional<CheckReport> checks_;
+};
+
+/// False if the work was stopped.
+bool AccuracySolve::prepare_transport() {
+    PatchFields fields = make_patch_fields(stage_.scene, solution_.mesh);
+    if (solution_.settings.method == Method::shooting) {
+        engine_ = make_engine(stage_.scene, solution_.mesh, stage_.rays, solution_.settings,
+                              [this] { return go_on(); });
+        transport_ = std::make_unique<ShotTransport>(*engine_, fields.area, fields.reflectance);
+        const OutsideRays probe(stage_.scene, solution_.mesh, stage_.rays, probe_rays,
+                                seed(0x70726f62));
+        for (const Outside& outside : probe.everywhere()) {
+            backs_.push_back(outside.backs);
+            escaped_.push_back(outside.escaped);
+        }
+    } else {
+        if (!find_form_factors(stage_, exchange_)) return false;
+        transport_ = std::make_unique<MatrixTransport>(exchange_, fields.area, fields.reflectance);
+        backs_ = exchange_.backs;
+        escaped_ = exchange_.escaped;
+    }
+    solution_.form_factors.open =
+        std::any_of(escaped_.begin(), escaped_.end(), [](double share) { return share > 0.0; });
+    solution_.seconds.form_factors = stage_.watch.lap();
+    return true;
+}
+
+bool AccuracySolve::gather(double coarseness) {
+    GatherAim aim = aim_;
+    aim.direct *= coarseness;
+    aim.indirect *= coarseness;
+    if (coarseness > 1.0)
+        aim.rays = light_.noise().rays_for(coarseness * light_.noise().absolute(aim_.rays),
+                                           fewest_rays, aim_.rays);
+    return light_.gather(
+        aim, *solution_.settings.tolerance,
+        [this](int iteration, double residual) { return observe(iteration, residual); });
+}
+
+void AccuracySolve::measure(const CheckEffort& effort) {
+    checks_ = light_.check(effort, seed(0x636865636b));
+    const bool corrected = solution_.settings.method != Method::shooting;
+    estimate_error(*checks_, light_.reflected(),
+                   (corrected ? left_by_correction : uncorrected) * light_.correction(),
+                   solution_.error);
+}
+
+/// Where more was missed than its share, less may be missed; where noise is the most of it, more
+/// rays.
+void AccuracySolve::aim_closer() {
+    const double norm = light_.norm(), allowed = planned * target_ / std::sqrt(2.0);
+    const double direct = passed_on * checks_->direct.at_most(1.0) / norm,
+                 indirect = passed_on * checks_->indirect.at_most(1.0) / norm;
+    if (direct > allowed) aim_.direct *= std::clamp(0.8 * allowed / direct, 0.3, 0.8);
+    if (indirect <= allowed) return;
+    const double scale = std::clamp(0.8 * allowed / indirect, 0.3, 0.8);
+    // Linear interpolation between vertices halves the variance.
+    const double noise = light_.noise().absolute(aim_.rays) / std::sqrt(2.0) / norm;
+    if (noise > 0.5 * indirect)
+        aim_.rays = light_.noise().rays_for(scale * light_.noise().absolute(aim_.rays), fewest_rays,
+                                            most_rays);
+    else
+        aim_.indirect *= scale;
+}
+
+/// Rounds that cost little, until they bring the error no further down.
+void AccuracySolve::settle() {
+    CheckEffort quick;
+    quick.direct_points = 0;
+    quick.indirect_points = 128;
+    quick.rays = 128;
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < most_rounds; ++round) {
+        if (!gather(coarser)) return;
+        measure(quick);
+        if (*solution_.error.estimate <= coarser * planned * target_) return;
+        if (*solution_.error.estimate > still_settling * before) return;
+        before = *solution_.error.estimate;
+    }
+}
+
+void AccuracySolve::run() {
+    solution_.error.target = target_;
+    solution_.status = Status::limit;
+    aim_.direct = direct_share * target_;
+    aim_.indirect = indirect_share * target_;
+    aim_.effort = target_ < 0.005 ? DirectEffort{32, 1024} : DirectEffort{16, 256};
+    const auto observe_solve = [this](int iteration, double residual) {
+        return observe(iteration, residual);
+    };
+    if (prepare_transport() && light_.start(*transport_, backs_, aim_.effort,
+                                            *solution_.settings.tolerance, observe_solve)) {
+        aim_.rays = light_.noise().rays_for(noise_share * target_ * std::sqrt(2.0) * light_.norm(),
+                                            fewest_rays, most_rays);
+        solution_.seconds.solve = stage_.watch.lap();
+        if (!light_.reflects()) {  // nothing is sent back, so nothing can be wrong
+            if (gather(1.0)) solution_.status = Status::converged;
+        } else {
+            if (target_ < one_round) settle();
+            CheckEffort effort;
+            effort.direct = {2 * aim_.effort.first, 2 * aim_.effort.most};
+            double before = std::numeric_limits<double>::infinity();
+            for (int round = 0; round < most_rounds && gather(1.0); ++round) {
+                effort.rays = std::clamp(aim_.rays, 256, 4096);
+                measure(effort);
+                if (solution_.error.met()) {
+                    solution_.status = Status::converged;
+                    break;
+                }
+                if (*solution_.error.estimate > still_settling * before) aim_closer();
+                before = *solution_.error.estimate;
+            }
+        }
+    }
+    if (stopped_ == StopReason::cancelled) solution_.status = Status::cancelled;
+    finish();
+}
+
+/// Each is gathered as finely as the target asks; without anything that reflects they are all the
+/// target refers to.
+void AccuracySolve::light_sensors() {
+    if (stage_.scene.sensors.empty() || !light_.field()) return;
+    SensorEffort effort;
+    effort.rays = std::clamp(4 * aim_.rays, 1024, most_rays);
+    effort.field_error = solution_.error.form_factors.value_or(0.0);
+    effort.seed = seed(0x73656e73);
+    solution_.sensors = light_at_sensors(
+        stage_.scene, stage_.rays, light_.pass().points().gather(), *light_.field(), effort,
+        [&](double fraction) {
+            return stage_.watch.step({Stage::display, fraction}) == StopReason::tolerance;
+        });
+    if (light_.reflects()) return;
+    double most = 0.0, worst = 0.0;
+    for (const SensorReport& sensor : solution_.sensors) {
+        most = std::max(most, luminance(sensor.irradiance));
+        worst = std::max(worst, sensor.error);
+    }
+    if (!(most > 0.0)) return;
+    solution_.error.estimate = worst / most;
+    if (!solution_.error.met() && solution_.status == Status::converged)
+        solution_.status = Status::limit;
+}
+
+void AccuracySolve::finish() {
+    solution_.within_tolerance = true;
+    solution_.radiosity = exitances(stage_.scene, solution_.mesh);
+    light_sensors();
+    if (const TreeDisplay* shown = light_.shown()) {
+        solution_.error.algebraic_bound = light_.coarse().algebraic_bound;
+        solution_.convergence = light_.coarse().convergence;
+        solution_.display = shown->display;
+        solution_.irradiance = light_.irradiance();
+        Rgb backs = Rgb::Zero(), escaped = Rgb::Zero();
+        for (PatchIndex i = 0; i < solution_.mesh.size(); ++i) {
+            const Patch& patch = solution_.mesh.patches[i];
+            const Material& material =
+                stage_.scene.materials[stage_.scene.surfaces[patch.surface].material];
+            solution_.radiosity[i] += material.reflectance * solution_.irradiance[i];
+            backs += patch.area * backs_[i] * solution_.radiosity[i];
+            escaped += patch.area * escaped_[i] * solution_.radiosity[i];
+        }
+        solution_.energy =
+            measure_energy(stage_.scene, solution_.mesh, backs, escaped, solution_.irradiance);
+    } else {
+        solution_.display = make_display(stage_.scene, solution_.mesh, solution_.radiosity,
+                                         std::vector<double>(solution_.mesh.size(), 0.0));
+    }
+    solution_.seconds.display = stage_.watch.lap();
+}
+
+}  // namespace
+
+void solve_to_accuracy(const SolveStage& stage, const MeshLines& lines) {
+    AccuracySolve(stage, lines).run();
+}
+
+}  // namespace patchlight

@@ -1,0 +1,65 @@
+#include "solver/accuracy/check_points.h"
+#include "solver/accuracy/error_estimate.h"
+#include "solver/display/vertex_irradiance.h"
+#include "solver/solve_stage.h"
+#include "solver/transport/patch_fields.h"
+
+namespace patchlight {
+
+namespace {
+
+constexpr std::size_t most_sources = 256;
+constexpr int most_samples = 4096;
+
+/// Irradiance straight from sources at the middle of each patch.
+std::vector<Rgb> once_arriving(const PatchMesh& mesh, const VertexGather& gather,
+                               std::uint64_t seed) {
+    std::vector<Rgb> once(mesh.size(), Rgb::Zero());
+    for (PatchIndex i = 0; i < mesh.size(); ++i)
+        if (!mesh.patches[i].covered)
+            once[i] = gather.gather().direct(gather.point(i, mesh.patches[i].centre), {16, 64},
+                                             mix(seed, i));
+    return once;
+}
+
+}  // namespace
+
+void check_solution(const SolveStage& stage, const MeshLines& lines) {
+    Solution& solution = stage.solution;
+    const Scene& scene = stage.scene;
+    const std::uint64_t seed = mix(solution.settings.seed, 0x636865636b);
+    const auto go_on = [&] {
+        return stage.watch.step({Stage::display, 1.0}) == StopReason::tolerance;
+    };
+    const PointGather gather(stage.rays, find_light_sources(scene, lines, stage.rays, most_sources),
+                             most_samples);
+    const VertexGather points(scene, solution.mesh, stage.rays, find_plane_groups(scene), gather,
+                              seed, go_on);
+    const PatchLocator locator(scene, solution.mesh, stage.rays);
+    // What rays read: all that is displayed but the sources that are gathered from one by one.
+    std::vector<bool> listed(scene.surfaces.size(), false);
+    for (const LightSource& source : gather.sources()) listed[source.surface] = true;
+    std::vector<Rgb> read = solution.display.radiosity;
+    std::vector<bool> done(read.size(), false);
+    for (std::size_t t = 0; t < solution.display.triangles.size(); ++t) {
+        const Surface& surface =
+            scene.surfaces[solution.mesh.patches[solution.display.patch[t]].surface];
+        if (!listed[points.surface_of(solution.display.patch[t])]) continue;
+        for (const std::uint32_t v : solution.display.triangles[t]) {
+            if (!done[v]) read[v] = (read[v] - scene.materials[surface.material].exitance).max(0.0);
+            done[v] = true;
+        }
+    }
+    const ReflectedField field(scene, solution.mesh, stage.rays, locator,
+                               FieldTable(solution.mesh, solution.display, stage.rays, read));
+    TreeDisplay shown{solution.display, {{}, vertex_irradiance(scene, solution)}};
+    std::vector<Rgb> reflected = solution.radiosity;
+    const std::vector<Rgb> exitance = exitances(scene, solution.mesh);
+    for (std::size_t i = 0; i < reflected.size(); ++i) reflected[i] -= exitance[i];
+    const ReflectedLight light = measure_reflected(scene, solution.mesh, reflected,
+                                                   once_arriving(solution.mesh, points, seed));
+    const CheckReport checks = check_display(scene, shown, points, field, CheckEffort{}, seed);
+    estimate_error(checks, light, 0.0, solution.error);
+}
+
+}  // namespace patchlight

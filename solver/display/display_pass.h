@@ -1,0 +1,47 @@
+#pragma once
+
+#include "solver/display/irradiance_layer.h"
+#include "solver/display/tree_display.h"
+#include "solver/display/vertex_gather.h"
+
+#include <functional>
+#include <optional>
+
+namespace patchlight {
+
+/// The displayed field of a mesh: direct and indirect irradiance, each gathered at vertices of its
+/// own and refined by itself, on one tree.
+class DisplayPass {
+  public:
+    /// What is missed of irradiance counts times the reflectance, but no less than this: who asks
+    /// for the light on black surfaces gets it, too [1].
+    static constexpr double least_weight = 0.1;
+
+    DisplayPass(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on);
+
+    /// √∫ Y² dA of what interpolation may miss [W/m]. False if the work was stopped.
+    bool refine_direct(double target, const DirectEffort& effort);
+    bool refine_indirect(double target, const ReflectedField& field, int rays);
+    /// Forgets what was gathered, so that it is gathered anew with more rays.
+    void restart_direct() { direct_.emplace(tree_.vertices().size()); }
+    void restart_indirect() { indirect_.emplace(tree_.vertices().size()); }
+
+    /// The field so far; `added` to the indirect irradiance of each patch, smoothly; or empty.
+    TreeDisplay show(const std::vector<Rgb>& added);
+    const VertexGather& points() const { return points_; }
+    const IrradianceLayer& direct() const { return *direct_; }
+    const IrradianceLayer& indirect() const { return *indirect_; }
+
+  private:
+    const Scene& scene_;
+    const PatchMesh& mesh_;
+    const RayScene& rays_;
+    PointGather gather_;
+    VertexGather points_;
+    RefinementTree tree_;
+    std::optional<IrradianceLayer> direct_, indirect_;
+    std::vector<Rgb> weight_;  // per patch, of irradiance that is missed [1]
+};
+
+}  // namespace patchlight

@@ -1,0 +1,146 @@
+#include "solver/display/field_table.h"
+
+#include "solver/scene/polygon.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+
+constexpr std::size_t most_cells = 4'000'000;
+constexpr std::size_t finest = 16;  // cells along each direction of a patch
+
+std::size_t cells_along(std::size_t patches) {
+    std::size_t count = finest;
+    while (count > 1 && patches * count * count > most_cells) count /= 2;
+    return count;
+}
+
+struct Axes {  // of a patch: (p - origin)·u counts cells along its first edge, ·v along its last
+    Vec3 origin, e1, e2, u, v;
+
+    Axes(const PatchMesh& mesh, PatchIndex i, std::size_t count) {
+        const Patch& patch = mesh.patches[i];
+        origin = mesh.vertices[patch.vertices[0]];
+        e1 = mesh.vertices[patch.vertices[1]] - origin;
+        e2 = mesh.vertices[patch.vertices[patch.corner_count() - 1]] - origin;
+        const double g11 = e1.dot(e1), g12 = e1.dot(e2), g22 = e2.dot(e2);
+        const double det = g11 * g22 - g12 * g12;
+        const double scale = det > 0.0 ? static_cast<double>(count) / det : 0.0;
+        u = scale * (g22 * e1 - g12 * e2);
+        v = scale * (g11 * e2 - g12 * e1);
+    }
+    Vec2 at(const Vec3& p) const { return {(p - origin).dot(u), (p - origin).dot(v)}; }
+};
+
+}  // namespace
+
+/// Adds triangles to the cells of a patch: to those whose centres it covers, or to the one it is
+/// in.
+struct FieldTable::Filler {
+    std::size_t count;
+    std::vector<std::array<double, 4>> sum;  // per cell: weighted values, weight
+
+    std::size_t cell(double u) const {
+        return std::min(static_cast<std::size_t>(std::max(0.0, u)), count - 1);
+    }
+
+    void add(std::size_t first, const Vec2& at, const Rgb& value, double weight) {
+        auto& entry = sum[first + cell(at.y()) * count + cell(at.x())];
+        for (std::size_t c = 0; c < 3; ++c)
+            entry[c] += weight * value[static_cast<Eigen::Index>(c)];
+        entry[3] += weight;
+    }
+
+    void add_triangle(std::size_t first, const std::array<Vec2, 3>& p,
+                      const std::array<Rgb, 3>& value) {
+        const double twice = turn(p[0], p[1], p[2]);
+        if (!(twice > 0.0)) return;
+        const Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]),
+                   high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+        bool any = false;
+        for (std::size_t j = cell(low.y()); j <= cell(high.y()); ++j)
+            for (std::size_t i = cell(low.x()); i <= cell(high.x()); ++i) {
+                const Vec2 centre(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5);
+                const double b = turn(p[2], p[0], centre) / twice,
+                             c = turn(p[0], p[1], centre) / twice;
+                if (b < 0.0 || c < 0.0 || b + c > 1.0) continue;
+                any = true;
+                add(first, centre, value[0] + b * (value[1] - value[0]) + c * (value[2] - value[0]),
+                    twice);
+            }
+        if (!any)
+            add(first, (p[0] + p[1] + p[2]) / 3.0, (value[0] + value[1] + value[2]) / 3.0, twice);
+    }
+};
+
+FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const RayScene& rays,
+                       const std::vector<Rgb>& values)
+    : count_(cells_along(mesh.size())),
+      mesh_(mesh),
+      rays_(rays),
+      frames_(mesh.size()),
+      cells_(mesh.size() * count_ * count_, {0.0f, 0.0f, 0.0f}) {
+    std::vector<Axes> axes;
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        axes.emplace_back(mesh, i, count_);
+        const Vec3 across = axes[i].e1.cross(axes[i].e2);
+        const double side = rays.scale() / static_cast<double>(count_);
+        areas_.push_back(across.norm() * side * side);
+        const RayPoint o = rays.to_ray_space(axes[i].origin),
+                       u = (axes[i].u / rays.scale()).cast<float>(),
+                       v = (axes[i].v / rays.scale()).cast<float>();
+        frames_[i] = {o.x(), o.y(), o.z(), u.x(), u.y(), u.z(), v.x(), v.y(), v.z()};
+    }
+    Filler filler{count_, {}};
+    filler.sum.assign(cells_.size(), {});
+    for (std::size_t t = 0; t < display.triangles.size(); ++t) {
+        const auto [a, b, c] = display.triangles[t];
+        const PatchIndex i = display.patch[t];
+        filler.add_triangle(first_cell(i),
+                            {axes[i].at(display.positions[a]), axes[i].at(display.positions[b]),
+                             axes[i].at(display.positions[c])},
+                            {values[a], values[b], values[c]});
+    }
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        std::array<float, 3>
+            last{};  // cells beyond a triangle's long edge are looked up by rounding
+        for (std::size_t c = first_cell(i); c < first_cell(i + 1); ++c) {
+            const auto& entry = filler.sum[c];
+            if (entry[3] > 0.0)
+                for (std::size_t k = 0; k < 3; ++k)
+                    last[k] = static_cast<float>(entry[k] / entry[3]);
+            cells_[c] = last;
+        }
+    }
+}
+
+void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3d& slope) {
+    const Vec3& centroid = mesh_.patches[i].centre;
+    for (std::size_t c = first_cell(i); c < first_cell(i + 1); ++c) {
+        const RayPoint middle = spot(i, c, 0.5f, 0.5f).position;
+        const Vec3 away = rays_.from_ray_space(middle.cast<double>()) - centroid;
+        const Rgb more = value + (slope * away).array();
+        for (std::size_t k = 0; k < 3; ++k)
+            cells_[c][k] = std::max(
+                0.0f, cells_[c][k] + static_cast<float>(more[static_cast<Eigen::Index>(k)]));
+    }
+}
+
+FieldTable::Spot FieldTable::spot(PatchIndex i, std::size_t cell, float u, float v) const {
+    const std::size_t number = cell - first_cell(i);
+    const auto along = static_cast<float>(count_);
+    Spot spot;
+    spot.u = (static_cast<float>(number % count_) + u) / along;
+    spot.v = (static_cast<float>(number / count_) + v) / along;
+    const Axes axes(mesh_, i, count_);
+    spot.position = rays_.to_ray_space(axes.origin + static_cast<double>(spot.u) * axes.e1 +
+                                       static_cast<double>(spot.v) * axes.e2);
+    return spot;
+}
+
+}  // namespace patchlight

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "solver/mesh/patch_mesh.h"
+#include "solver/rays/ray_scene.h"
+#include "solver/solution.h"
+
+#include <array>
+#include <vector>
+
+namespace patchlight {
+
+/// A field on a display mesh, averaged over small cells of each patch, to be looked up quickly: as
+/// fine as shadows are, where patches are not.
+class FieldTable {
+  public:
+    /// `values` at the display's vertices.
+    FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const RayScene& rays,
+               const std::vector<Rgb>& values);
+
+    /// Adds a linear function to the cells of a patch: its value at the centroid and its slope,
+    /// rows channels, columns world axes [1/m].
+    void add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3d& slope);
+
+    /// Number of the cell at a point of patch i in ray space.
+    std::size_t cell(PatchIndex i, float x, float y, float z) const {
+        const Frame& frame = frames_[i];
+        const float u = (x - frame.ox) * frame.ux + (y - frame.oy) * frame.uy +
+                        (z - frame.oz) * frame.uz,
+                    v = (x - frame.ox) * frame.vx + (y - frame.oy) * frame.vy +
+                        (z - frame.oz) * frame.vz;
+        return first_cell(i) + row(v) * count_ + row(u);
+    }
+    const std::array<float, 3>& value(std::size_t cell) const { return cells_[cell]; }
+
+    std::size_t cells() const { return cells_.size(); }
+    /// Cells of patch i are those from its first up to that of the next.
+    std::size_t first_cell(PatchIndex i) const { return std::size_t{i} * count_ * count_; }
+    /// Of each cell of patch i in ray space.
+    double cell_area(PatchIndex i) const { return areas_[i]; }
+
+    struct Spot {
+        RayPoint position;         // [ray space]
+        float u = 0.0f, v = 0.0f;  // along the patch's edges [1]
+    };
+    /// A point of a cell from two numbers in [0, 1).
+    Spot spot(PatchIndex i, std::size_t cell, float u, float v) const;
+
+  private:
+    struct Frame {  // (p - o)·u counts cells along the first edge, (p - o)·v along the last
+        float ox = 0, oy = 0, oz = 0, ux = 0, uy = 0, uz = 0, vx = 0, vy = 0, vz = 0;
+    };
+    struct Filler;
+    std::size_t row(float u) const {
+        const auto cell = static_cast<std::int32_t>(u);
+        const auto last = static_cast<std::int32_t>(count_) - 1;
+        return static_cast<std::size_t>(u <= 0.0f ? 0 : cell > last ? last : cell);
+    }
+
+    std::size_t count_ = 1;  // cells along each direction of a patch
+    const PatchMesh& mesh_;
+    const RayScene& rays_;
+    std::vector<Frame> frames_;
+    std::vector<double> areas_;
+    std::vector<std::array<float, 3>> cells_;
+};
+
+}  // namespace patchlight

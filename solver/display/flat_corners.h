@@ -1,0 +1,22 @@
+#pragma once
+
+#include "solver/mesh/patch_mesh.h"
+#include "solver/scene/plane_groups.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace patchlight {
+
+/// Corners of patches at which irradiance is one value: those round a vertex in one plane, joined
+/// over edges that are no creases. Materials do not matter: paint does not change what arrives.
+struct FlatCorners {
+    std::size_t count = 0;
+    std::vector<std::array<std::uint32_t, 4>> of_patch;  // number at each vertex of each patch
+};
+
+/// Covered patches take no part.
+FlatCorners find_flat_corners(const PatchMesh& mesh, const PlaneGroups& planes);
+
+}  // namespace patchlight

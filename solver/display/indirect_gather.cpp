@@ -1,0 +1,144 @@
+#include "solver/display/point_gather.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace patchlight {
+
+namespace {
+
+constexpr int samples_per_ray = 4;  // rays to one sample of the excess
+/// Both halves of one scrambled sequence differ more than independent ones would: as the variance
+/// falls with the power 1.44 of the number of rays, by this.
+constexpr double halves_are_opposed = 0.59;
+
+using Sum = std::array<double, 3>;
+
+void add(Sum& sum, const std::array<float, 3>& radiosity, float weight) {
+    for (std::size_t c = 0; c < 3; ++c)
+        sum[c] += static_cast<double>(weight) * static_cast<double>(radiosity[c]);
+}
+
+Rgb mean(const Sum& sum, int count) { return Rgb(sum[0], sum[1], sum[2]) / count; }
+
+}  // namespace
+
+double PointGather::Indirect::variance(const Rgb& reflectance) const {
+    const double y = luminance(reflectance * half_difference);
+    return halves_are_opposed * y * y;
+}
+
+/// Rays [first, end) over the hemisphere. A ray that meets the excess counts it as much as the
+/// balance with `ratio` samples of it per ray leaves.
+struct PointGather::Hemisphere {
+    const PointGather& gather;
+    const GatherPoint& point;
+    const ReflectedField& field;
+    std::array<std::uint32_t, 2> seeds;
+    RayFrame frame;
+    float ratio;
+
+    Sum sum(int first, int end) const {
+        RayBatch batch;
+        batch.ox.fill(point.origin.x());
+        batch.oy.fill(point.origin.y());
+        batch.oz.fill(point.origin.z());
+        LandingBatch landings;
+        std::array<Lanes, 2> u;
+        Sum total{};
+        for (int n = first; n < end; n += ray_batch) {
+            scramble_lanes({gather.points_.reversed(0) + n, gather.points_.reversed(1) + n}, seeds,
+                           u);
+            cosine_directions(frame, u[0], u[1], batch);
+            gather.rays_.land(batch, ray_batch, landings);
+            for (int k = 0; k < ray_batch; ++k)
+                if (landings.landing[k] == Landing::front) add(total, batch, landings, k);
+        }
+        return total;
+    }
+
+    void add(Sum& total, const RayBatch& batch, const LandingBatch& landings, int k) const {
+        const RayPoint at(landings.x[k], landings.y[k], landings.z[k]);
+        const ReflectedField::Seen seen = field.at(landings.surface[k], at.x(), at.y(), at.z());
+        float weight = 1.0f;
+        if (ratio > 0.0f && seen.density > 0.0f) {
+            const RayPoint direction(batch.dx[k], batch.dy[k], batch.dz[k]);
+            const float squared = (at - point.origin).squaredNorm();
+            const float density =  // of rays, per area
+                std::max(0.0f, direction.dot(frame.normal)) *
+                std::max(0.0f, -direction.dot(field.normal(landings.surface[k]))) /
+                (std::numbers::pi_v<float> * squared);
+            weight -= seen.excess_share * ratio * seen.density / (density + ratio * seen.density);
+        }
+        patchlight::add(total, seen.radiosity, weight);
+    }
+};
+
+/// Samples [first, end) of the excess, each weighed so that the sum over both, divided by the
+/// number of rays, is what arrives.
+struct PointGather::Excess {
+    const PointGather& gather;
+    const GatherPoint& point;
+    const ReflectedField& field;
+    std::array<std::uint32_t, 3> seeds;
+    RayPoint normal;
+    float ratio;
+
+    Sum sum(int first, int end) const {
+        RayBatch batch;
+        std::array<ReflectedField::Seen, ray_batch> seen;
+        std::array<float, ray_batch> weights;
+        Sum total{};
+        int filled = 0;
+        const auto trace = [&] {
+            const std::uint32_t blocked = gather.rays_.blocked(batch, filled);
+            for (int k = 0; k < filled; ++k)
+                if (!((blocked >> k) & 1u)) add(total, seen[k].radiosity, weights[k]);
+            filled = 0;
+        };
+        for (int n = first; n < end; ++n) {
+            const auto at = static_cast<std::size_t>(n);
+            const ReflectedField::Sample sample =
+                field.sample(gather.points_.at(0, at, seeds[0]), gather.points_.at(1, at, seeds[1]),
+                             gather.points_.at(2, at, seeds[2]));
+            const RayPoint ray = sample.position - point.origin;
+            const float squared = ray.squaredNorm();
+            const float density = std::max(0.0f, ray.dot(normal)) *
+                                  std::max(0.0f, -ray.dot(sample.normal)) /
+                                  (std::numbers::pi_v<float> * squared * squared);
+            if (!(density > 0.0f) || !sample.on_patch) continue;
+            batch.ox[filled] = point.origin.x(), batch.dx[filled] = ray.x();
+            batch.oy[filled] = point.origin.y(), batch.dy[filled] = ray.y();
+            batch.oz[filled] = point.origin.z(), batch.dz[filled] = ray.z();
+            seen[filled] = sample.seen;
+            weights[filled++] =
+                sample.seen.excess_share * density / (density + ratio * sample.seen.density);
+            if (filled == ray_batch) trace();
+        }
+        if (filled > 0) trace();
+        return total;
+    }
+};
+
+PointGather::Indirect PointGather::indirect(const GatherPoint& point, const ReflectedField& field,
+                                            int count, std::uint64_t key) const {
+    const float ratio = field.has_excess() ? 1.0f / samples_per_ray : 0.0f;
+    const auto word = [&](std::uint64_t k) { return static_cast<std::uint32_t>(mix(key, k)); };
+    const RayFrame frame = frame_about(point.normal.cast<float>());
+    const Hemisphere hemisphere{*this, point, field, {word(0), word(1)}, frame, ratio};
+    const Excess excess{*this, point, field, {word(2), word(3), word(4)}, frame.normal, ratio};
+    const int half = count / 2;
+    std::array<Rgb, 2> parts;
+    for (int h = 0; h < 2; ++h) {
+        Sum sum = hemisphere.sum(h * half, (h + 1) * half);
+        if (ratio > 0.0f) {
+            const Sum more =
+                excess.sum(h * half / samples_per_ray, (h + 1) * half / samples_per_ray);
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += more[c];
+        }
+        parts[static_cast<std::size_t>(h)] = mean(sum, half);
+    }
+    return {0.5 * (parts[0] + parts[1]), 0.5 * (parts[0] - parts[1])};
+}
+
+}  // namespace patchlight

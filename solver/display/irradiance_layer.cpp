@@ -1,0 +1,176 @@
+#include "solver/display/irradiance_layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double root_share = 0.25;  // of the range of its corners, a root is expected to miss [1]
+constexpr double unseen_share =
+    0.08;                             // of their value: corners alike do not tell what lies between
+constexpr double decay = 1.0 / 3.0;   // of what is missed, by each cut: 1/4 is smooth, 1/2 a kink
+constexpr double highest_peak = 6.0;  // that may be missed anywhere, over the root mean square [1]
+constexpr double beyond_noise = 9.0;  // its mean square: hardly ever chance [1]
+constexpr double mean_square = 0.5;   // of the miss over an element beside that at its middles [1]
+
+}  // namespace
+
+/// Square of what linear interpolation between some vertices misses at another, and how much of it
+/// noise makes on average.
+IrradianceLayer::Miss IrradianceLayer::miss(std::uint32_t vertex,
+                                            std::span<const std::uint32_t> between,
+                                            const Rgb& reflectance) const {
+    const double share = 1.0 / static_cast<double>(between.size());
+    Rgb linear = Rgb::Zero();
+    double noise = variance_[vertex];
+    for (const std::uint32_t v : between) {
+        linear += share * value_[v];
+        noise += share * share * variance_[v];
+    }
+    const double missed = luminance(reflectance * (value_[vertex] - linear));
+    return {missed * missed, noise};
+}
+
+double IrradianceLayer::root_miss(const TreeElement& element, const Rgb& reflectance) const {
+    double low = 1e300, high = -1e300;
+    for (const std::uint32_t v : element.vertices) {
+        const double b = luminance(reflectance * value_[v]);
+        low = std::min(low, b);
+        high = std::max(high, b);
+    }
+    const double miss = std::max(root_share * (high - low), unseen_share * high);
+    return mean_square * element.area * miss * miss;
+}
+
+void IrradianceLayer::grow(const RefinementTree& tree) {
+    value_.resize(tree.vertices().size(), Rgb::Zero());
+    variance_.resize(tree.vertices().size(), 0.0);
+    known_.resize(tree.vertices().size(), false);
+}
+
+/// Gathers at what vertices of the elements' corners are not known yet.
+bool IrradianceLayer::learn(const RefinementTree& tree, std::span<const std::uint32_t> elements,
+                            const Gather& gather) {
+    grow(tree);
+    std::vector<std::uint32_t> wanted;
+    for (const std::uint32_t e : elements)
+        for (const std::uint32_t v : tree.elements()[e].vertices)
+            if (!known_[v]) {
+                known_[v] = true;
+                wanted.push_back(v);
+            }
+    if (wanted.empty()) return true;
+    const std::vector<Gathered> values = gather(wanted);
+    const std::size_t got = values.size();
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        if (k < got) {
+            value_[wanted[k]] = values[k].value;
+            variance_[wanted[k]] = values[k].variance;
+        } else {
+            known_[wanted[k]] = false;
+        }
+    }
+    gathered_ += got;
+    return got == wanted.size();
+}
+
+void IrradianceLayer::add_children(const RefinementTree& tree, std::uint32_t element,
+                                   const Rgb& reflectance, std::vector<Leaf>& leaves) const {
+    const TreeElement& parent = tree.elements()[element];
+    const std::size_t n = parent.corner_count();
+    const auto& v = parent.vertices;
+    std::array<Miss, 4> at_edge{};  // in the middle of each
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::array<std::uint32_t, 2> ends{v[k], v[(k + 1) % n]};
+        at_edge[k] = miss(tree.middle(parent, k), ends, reflectance);
+    }
+    const std::uint32_t c = tree.centre(parent);
+    const Miss inside = c == RefinementTree::none ? Miss{} : miss(c, v, reflectance);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const std::uint32_t child = parent.first_child + static_cast<std::uint32_t>(k);
+        std::array<Miss, 3> near{at_edge[0], at_edge[1], at_edge[2]};  // triangle in the middle
+        if (n == 4)
+            near = {inside, at_edge[k], at_edge[(k + 3) % 4]};
+        else if (k < 3)
+            near = {at_edge[k], at_edge[(k + 2) % 3], at_edge[k]};
+        Leaf leaf{child, 0.0, 0.0};
+        for (const Miss& one : near) {
+            leaf.miss += (one.square - one.noise) / 3.0;  // sums of it are right: it may be below 0
+            leaf.sure += std::max(0.0, one.square - beyond_noise * one.noise) / 3.0;
+        }
+        const double scale = mean_square * decay * decay * tree.elements()[child].area;
+        leaf.miss *= scale;
+        leaf.sure *= scale;
+        leaves.push_back(leaf);
+    }
+}
+
+bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& reflectance,
+                             const Rule& rule, const Gather& gather) {
+    const auto of = [&](std::uint32_t e) -> const Rgb& {
+        return reflectance[tree.elements()[e].patch];
+    };
+    if (leaves_.empty()) {
+        std::vector<std::uint32_t> roots;
+        for (std::uint32_t e = 0; e < tree.elements().size(); ++e)
+            if (tree.elements()[e].level == 0) roots.push_back(e);
+        if (!learn(tree, roots, gather)) return false;
+        for (const std::uint32_t e : roots)
+            leaves_.push_back({e, root_miss(tree.elements()[e], of(e)), 0.0});
+    }
+    const double budget = rule.target * rule.target;
+    double area = 0.0;
+    for (const TreeElement& element : tree.elements())
+        if (element.level == 0) area += element.area;
+    const double peak = highest_peak * highest_peak * budget / area;
+    const auto must_cut = [&](const TreeElement& element) {
+        return element.level < rule.least_levels && rule.must_look(element.patch);
+    };
+    for (;;) {
+        double total = 0.0;
+        for (const Leaf& leaf : leaves_) total += leaf.miss;
+        expected_miss_ = std::sqrt(std::max(0.0, total));
+        if (gathered_ >= rule.most_vertices) return true;
+        const double share = total <= budget ? std::numeric_limits<double>::infinity()
+                                             : budget / static_cast<double>(leaves_.size());
+        std::vector<std::uint32_t> marked;
+        std::vector<Leaf> kept;
+        for (const Leaf& leaf : leaves_) {
+            const TreeElement& element = tree.elements()[leaf.element];
+            const bool misses = leaf.miss > share || leaf.sure > element.area * peak;
+            if ((misses && element.level < rule.most_levels) || must_cut(element))
+                marked.push_back(leaf.element);
+            else
+                kept.push_back(leaf);
+        }
+        if (marked.empty()) return true;
+        std::vector<std::uint32_t> children;
+        for (const std::uint32_t e : marked) {
+            tree.split(e);
+            for (std::uint32_t k = 0; k < 4; ++k)
+                children.push_back(tree.elements()[e].first_child + k);
+        }
+        if (!learn(tree, children, gather)) return false;
+        for (const std::uint32_t e : marked) add_children(tree, e, of(e), kept);
+        leaves_ = std::move(kept);
+    }
+}
+
+std::vector<Rgb> IrradianceLayer::at_all(const RefinementTree& tree) const {
+    std::vector<Rgb> values(tree.vertices().size(), Rgb::Zero());
+    for (std::uint32_t v = 0; v < values.size(); ++v) {
+        const TreeVertex& vertex = tree.vertices()[v];
+        if (known(v)) {
+            values[v] = value_[v];
+        } else {
+            for (std::uint8_t k = 0; k < vertex.parent_count; ++k)
+                values[v] += values[vertex.parents[k]] / static_cast<double>(vertex.parent_count);
+        }
+    }
+    return values;
+}
+
+}  // namespace patchlight

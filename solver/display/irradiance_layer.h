@@ -1,0 +1,76 @@
+#pragma once
+
+#include "solver/display/refinement_tree.h"
+#include "solver/scene/scene.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace patchlight {
+
+/// One part of the irradiance, direct or indirect, on a tree: gathered at some vertices and linear
+/// between them. It is refined by itself: the tree may be finer than it.
+class IrradianceLayer {
+  public:
+    struct Gathered {
+        Rgb value = Rgb::Zero();  // [W/m²]
+        double variance = 0.0;    // of what is reflected of it, luminance; an estimate [W²/m⁴]
+    };
+    /// Irradiance at vertices of the tree, in their order; fewer: the work was stopped.
+    using Gather = std::function<std::vector<Gathered>(std::span<const std::uint32_t> vertices)>;
+
+    struct Rule {
+        double target = 0.0;   // of the radiosity's error, √∫ Y² dA [W/m]
+        double noise = 0.0;    // variance of one gathered value relative to its square [1]
+        int most_levels = 10;  // below roots
+        int least_levels = 0;  // where `must_look` says so
+        std::function<bool(PatchIndex)> must_look = {};
+        std::size_t most_vertices = 2'000'000;
+    };
+
+    explicit IrradianceLayer(std::size_t vertices)
+        : value_(vertices), variance_(vertices), known_(vertices) {}
+
+    /// Gathers at the roots' corners, if that was not done yet, then cuts elements where linear
+    /// interpolation misses what is gathered between, until the sum of what is expected to be
+    /// missed yet is within the target, and it is nowhere far beyond. False if the work was
+    /// stopped. `reflectance` of each patch weighs what is missed.
+    bool refine(RefinementTree& tree, const std::vector<Rgb>& reflectance, const Rule& rule,
+                const Gather& gather);
+
+    /// The value at every vertex of the tree: interpolated where none was gathered.
+    std::vector<Rgb> at_all(const RefinementTree& tree) const;
+    bool known(std::uint32_t vertex) const { return vertex < known_.size() && known_[vertex]; }
+    std::size_t gathered() const { return gathered_; }
+    /// What is expected to be missed yet, √∫ Y² dA [W/m].
+    double expected_miss() const { return expected_miss_; }
+
+  private:
+    struct Leaf {  // of this layer
+        std::uint32_t element = 0;
+        double miss = 0.0;  // expected, squared and integrated [W²/m²]
+        double sure = 0.0;  // the same, as far as noise can be no reason for it
+    };
+    bool learn(const RefinementTree& tree, std::span<const std::uint32_t> elements,
+               const Gather& gather);
+    void grow(const RefinementTree& tree);
+    double root_miss(const TreeElement& element, const Rgb& reflectance) const;
+    void add_children(const RefinementTree& tree, std::uint32_t element, const Rgb& reflectance,
+                      std::vector<Leaf>& leaves) const;
+    struct Miss {
+        double square = 0.0, noise = 0.0;  // [W²/m⁴]
+    };
+    Miss miss(std::uint32_t vertex, std::span<const std::uint32_t> between,
+              const Rgb& reflectance) const;
+
+    std::vector<Rgb> value_;        // per vertex [W/m²]
+    std::vector<double> variance_;  // per vertex [W²/m⁴]
+    std::vector<bool> known_;       // per vertex: gathered
+    std::vector<Leaf> leaves_;      // in the order of the tree's elements
+    std::size_t gathered_ = 0;
+    double expected_miss_ = 0.0;
+};
+
+}  // namespace patchlight

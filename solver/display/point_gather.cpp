@@ -1,0 +1,78 @@
+#include "solver/display/point_gather.h"
+
+#include "solver/form_factors/point_factor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples)
+    : rays_(rays),
+      sources_(std::move(sources)),
+      points_(static_cast<std::size_t>(std::max(most_samples, ray_batch))) {}
+
+GatherPoint PointGather::at(const Vec3& position, const Vec3& normal, float lift) const {
+    GatherPoint point;
+    point.position = position;
+    point.normal = normal;
+    point.origin = rays_.to_ray_space(position) + lift * normal.cast<float>();
+    return point;
+}
+
+void PointGather::sample(const GatherPoint& point, const LightSource& source, std::uint64_t key,
+                         int first, int end, Share& share) const {
+    const std::array<std::uint32_t, 2> seeds{static_cast<std::uint32_t>(key),
+                                             static_cast<std::uint32_t>(key >> 32)};
+    const RayPoint normal = point.normal.cast<float>();
+    RayBatch batch;
+    Lanes weights;
+    int filled = 0;
+    const auto trace = [&] {
+        const std::uint32_t blocked = rays_.blocked(batch, filled);
+        for (int k = 0; k < filled; ++k) {
+            share.all += weights[k];
+            if (!((blocked >> k) & 1u)) share.clear += weights[k];
+        }
+        filled = 0;
+    };
+    for (int n = first; n < end; ++n) {
+        const auto at = static_cast<std::size_t>(n);
+        const RayPoint ray =
+            source.sampler.at(points_.at(0, at, seeds[0]), points_.at(1, at, seeds[1])) +
+            source.lift * source.sampler.normal - point.origin;
+        const float squared = ray.squaredNorm();
+        const float weight = std::max(0.0f, ray.dot(normal)) *
+                             std::max(0.0f, -ray.dot(source.sampler.normal)) / (squared * squared);
+        if (!(weight > 0.0f)) continue;
+        batch.ox[filled] = point.origin.x(), batch.dx[filled] = ray.x();
+        batch.oy[filled] = point.origin.y(), batch.dy[filled] = ray.y();
+        batch.oz[filled] = point.origin.z(), batch.dz[filled] = ray.z();
+        weights[filled++] = weight;
+        if (filled == ray_batch) trace();
+    }
+    if (filled > 0) trace();
+}
+
+Rgb PointGather::direct(const GatherPoint& point, const DirectEffort& effort,
+                        std::uint64_t key) const {
+    Rgb sum = Rgb::Zero();
+    for (std::size_t s = 0; s < sources_.size(); ++s) {
+        const LightSource& source = sources_[s];
+        const double factor =
+            point_factor(point.position, point.normal, source.polygon, source.normal);
+        if (!(factor > 0.0)) continue;
+        double clear = 1.0;
+        if (!point.clear || !(*point.clear)[s]) {
+            const std::uint64_t stream = mix(key, s);
+            Share share;
+            sample(point, source, stream, 0, effort.first, share);
+            if (share.mixed()) sample(point, source, stream, effort.first, effort.most, share);
+            if (share.all > 0.0f) clear = static_cast<double>(share.clear / share.all);
+        }
+        sum += clear * factor * source.exitance;
+    }
+    return sum;
+}
+
+}  // namespace patchlight

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "solver/display/light_sources.h"
+#include "solver/display/reflected_field.h"
+#include "solver/rays/cosine_directions.h"
+#include "solver/rays/low_discrepancy.h"
+#include "solver/rays/ray_scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace patchlight {
+
+/// A place where irradiance is gathered.
+struct GatherPoint {
+    Vec3 position = Vec3::Zero();              // [m]
+    Vec3 normal = Vec3::UnitZ();               // unit
+    RayPoint origin;                           // where its rays start, above what it touches
+    const std::vector<bool>* clear = nullptr;  // per source: nothing can stand between; or unknown
+};
+
+struct DirectEffort {
+    int first = 16;  // samples of each source; all alike: no more
+    int most = 256;  // where they disagree
+};
+
+/// Irradiance at points: sources one by one, by Lambert's formula times the visibility that samples
+/// weighted with the kernel measure; all other light by rays over the hemisphere.
+class PointGather {
+  public:
+    PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples);
+
+    const std::vector<LightSource>& sources() const { return sources_; }
+    GatherPoint at(const Vec3& position, const Vec3& normal, float lift) const;
+
+    /// From the sources [W/m²].
+    Rgb direct(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
+    struct Indirect {
+        Rgb irradiance = Rgb::Zero();       // [W/m²]
+        Rgb half_difference = Rgb::Zero();  // of what both halves of the rays say [W/m²]
+        /// Variance of a luminance, weighed with a reflectance, from the halves [W²/m⁴].
+        double variance(const Rgb& reflectance) const;
+    };
+    /// From all that `field` says is reflected, by `count` rays over the hemisphere, cosine-
+    /// weighted, a multiple of 32; where something is much brighter than the rest a quarter as many
+    /// samples of it are joined to them with the balance heuristic (Veach & Guibas, "Optimally
+    /// Combining Sampling Techniques for Monte Carlo Rendering", 1995).
+    Indirect indirect(const GatherPoint& point, const ReflectedField& field, int count,
+                      std::uint64_t key) const;
+
+  private:
+    struct Share {
+        float clear = 0.0f, all = 0.0f;  // sums of kernel weights
+        bool mixed() const { return clear > 0.0f && clear < all; }
+    };
+    void sample(const GatherPoint& point, const LightSource& source, std::uint64_t key, int first,
+                int end, Share& share) const;
+
+    struct Hemisphere;
+    struct Excess;
+
+    const RayScene& rays_;
+    std::vector<LightSource> sources_;
+    SobolPoints points_;
+};
+
+}  // namespace patchlight

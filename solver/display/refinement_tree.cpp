@@ -1,0 +1,141 @@
+#include "solver/display/refinement_tree.h"
+
+#include "solver/rays/low_discrepancy.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace patchlight {
+
+std::size_t RefinementTree::EdgeHash::operator()(const Edge& edge) const {
+    return mix((std::uint64_t{edge.a} << 32) | edge.b, edge.owner);
+}
+
+RefinementTree::RefinementTree(const PatchMesh& mesh, const FlatCorners& corners)
+    : vertices_(corners.count) {
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        const Patch& patch = mesh.patches[i];
+        if (patch.covered) continue;
+        TreeElement element;
+        element.vertices = corners.of_patch[i];
+        element.patch = i;
+        element.area = patch.area;
+        const std::size_t n = patch.corner_count();
+        for (std::size_t k = 0; k < n; ++k) {
+            TreeVertex& vertex = vertices_[element.vertices[k]];
+            vertex.position = mesh.vertices[patch.vertices[k]];
+            vertex.patch = i;
+            if (mesh.is_crease(patch.vertices[k], patch.vertices[(k + 1) % n]))
+                element.creases |= static_cast<std::uint8_t>(1u << k);
+        }
+        elements_.push_back(element);
+    }
+}
+
+RefinementTree::Edge RefinementTree::edge_of(const TreeElement& element, std::size_t k) {
+    const std::uint32_t a = element.vertices[k],
+                        b = element.vertices[(k + 1) % element.corner_count()];
+    const bool crease = (element.creases >> k) & 1u;
+    return {std::min(a, b), std::max(a, b), crease ? element.patch + 1 : 0};
+}
+
+RefinementTree::Edge RefinementTree::half(const TreeElement& element, std::size_t k,
+                                          std::uint32_t end, std::uint32_t middle) const {
+    return {std::min(end, middle), std::max(end, middle), edge_of(element, k).owner};
+}
+
+std::uint32_t RefinementTree::middle(const TreeElement& element, std::size_t k) const {
+    const auto found = middles_.find(edge_of(element, k));
+    return found == middles_.end() ? none : found->second;
+}
+
+std::uint32_t RefinementTree::centre(const TreeElement& element) const {
+    if (element.is_leaf() || element.is_triangle()) return none;
+    return elements_[element.first_child].vertices[2];
+}
+
+std::uint32_t RefinementTree::make_middle(const TreeElement& element, std::size_t k) {
+    const Edge edge = edge_of(element, k);
+    const auto [place, fresh] =
+        middles_.try_emplace(edge, static_cast<std::uint32_t>(vertices_.size()));
+    if (fresh) {
+        TreeVertex vertex;
+        vertex.position = 0.5 * (vertices_[edge.a].position + vertices_[edge.b].position);
+        vertex.patch = element.patch;
+        vertex.parents = {edge.a, edge.b, 0, 0};
+        vertex.parent_count = 2;
+        vertices_.push_back(vertex);
+    }
+    return place->second;
+}
+
+void RefinementTree::add_child(const TreeElement& parent,
+                               const std::array<std::uint32_t, 4>& vertices, std::uint8_t creases) {
+    TreeElement child;
+    child.vertices = vertices;
+    child.patch = parent.patch;
+    child.creases = creases;
+    child.level = static_cast<std::uint8_t>(parent.level + 1);
+    const auto at = [&](std::size_t k) { return vertices_[vertices[k]].position; };
+    Vec3 twice = (at(1) - at(0)).cross(at(2) - at(0));
+    if (!child.is_triangle()) twice += (at(2) - at(0)).cross(at(3) - at(0));
+    child.area = 0.5 * twice.norm();
+    elements_.push_back(child);
+}
+
+void RefinementTree::split(std::uint32_t number) {
+    if (!elements_[number].is_leaf()) return;
+    const TreeElement parent = elements_[number];
+    elements_[number].first_child = static_cast<std::uint32_t>(elements_.size());
+    const auto& v = parent.vertices;
+    const std::size_t n = parent.corner_count();
+    std::array<std::uint32_t, 4> m{};
+    for (std::size_t k = 0; k < n; ++k) m[k] = make_middle(parent, k);
+    const auto outer = [&](std::size_t k, std::uint8_t as) {
+        return static_cast<std::uint8_t>(((parent.creases >> k) & 1u) << as);
+    };
+    if (n == 3) {
+        for (std::size_t k = 0; k < 3; ++k)  // corner, middle ahead, middle behind
+            add_child(parent, {v[k], m[k], m[(k + 2) % 3], m[(k + 2) % 3]},
+                      outer(k, 0) | outer((k + 2) % 3, 2));
+        add_child(parent, {m[0], m[1], m[2], m[2]}, 0);
+        return;
+    }
+    TreeVertex centre;
+    for (const std::uint32_t corner : v) centre.position += 0.25 * vertices_[corner].position;
+    centre.patch = parent.patch;
+    centre.parents = v;
+    centre.parent_count = 4;
+    const auto c = static_cast<std::uint32_t>(vertices_.size());
+    vertices_.push_back(centre);
+    for (std::size_t k = 0; k < 4; ++k)
+        add_child(parent, {v[k], m[k], c, m[(k + 3) % 4]}, outer(k, 0) | outer((k + 3) % 4, 3));
+}
+
+bool RefinementTree::is_cut_twice(const TreeElement& element) const {
+    for (std::size_t k = 0; k < element.corner_count(); ++k) {
+        const std::uint32_t m = middle(element, k);
+        if (m == none) continue;
+        const Edge edge = edge_of(element, k);
+        if (middles_.contains(half(element, k, edge.a, m)) ||
+            middles_.contains(half(element, k, edge.b, m)))
+            return true;
+    }
+    return false;
+}
+
+std::vector<std::uint32_t> RefinementTree::balance() {
+    std::vector<std::uint32_t> done;
+    for (std::size_t before = done.size() + 1; before != done.size();) {
+        before = done.size();
+        for (std::uint32_t e = 0; e < elements_.size(); ++e)
+            if (elements_[e].is_leaf() && is_cut_twice(elements_[e])) {
+                split(e);
+                done.push_back(e);
+            }
+    }
+    return done;
+}
+
+}  // namespace patchlight

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "solver/display/flat_corners.h"
+#include "solver/mesh/patch_mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace patchlight {
+
+/// A quad or triangle (last vertex repeated) of the tree; cut into four at the middles of its
+/// edges.
+struct TreeElement {
+    std::array<std::uint32_t, 4> vertices{};  // counter-clockwise from the front
+    PatchIndex patch = 0;                     // the root it came from
+    std::uint32_t first_child = 0;            // of four; 0: a leaf
+    double area = 0.0;                        // [m²]
+    std::uint8_t creases = 0;                 // bit k: the edge from vertex k on lies on a crease
+    std::uint8_t level = 0;                   // 0: a root
+
+    bool is_triangle() const { return vertices[3] == vertices[2]; }
+    std::size_t corner_count() const { return is_triangle() ? 3 : 4; }
+    bool is_leaf() const { return first_child == 0; }
+};
+
+/// Vertices are numbered so that a vertex comes after those it lies between.
+struct TreeVertex {
+    Vec3 position = Vec3::Zero();            // [m]
+    PatchIndex patch = 0;                    // a root it is part of
+    std::array<std::uint32_t, 4> parents{};  // the ends of its edge, or corners of its element
+    std::uint8_t parent_count = 0;           // 0 at the corners of roots
+};
+
+/// Patches as roots of quadtrees that share their vertices, so that irradiance can be refined where
+/// it needs to be. Vertices are shared within a plane and not across creases.
+class RefinementTree {
+  public:
+    RefinementTree(const PatchMesh& mesh, const FlatCorners& corners);
+
+    const std::vector<TreeVertex>& vertices() const { return vertices_; }
+    const std::vector<TreeElement>& elements() const { return elements_; }
+
+    /// Cuts a leaf; nothing if it is none.
+    void split(std::uint32_t element);
+    /// Splits leaves until none has an edge cut in more than two. Those that were split, in order.
+    std::vector<std::uint32_t> balance();
+
+    static constexpr std::uint32_t none = ~0u;
+    /// The vertex in the middle of the edge from corner k on, if either side was cut there.
+    std::uint32_t middle(const TreeElement& element, std::size_t k) const;
+    /// The vertex in the middle of a quad that was split; none of a triangle.
+    std::uint32_t centre(const TreeElement& element) const;
+
+  private:
+    struct Edge {
+        std::uint32_t a = 0, b = 0;  // a < b
+        std::uint32_t owner = 0;     // 0, or on a crease the root's number and 1: not shared
+        bool operator==(const Edge&) const = default;
+    };
+    struct EdgeHash {
+        std::size_t operator()(const Edge& edge) const;
+    };
+    static Edge edge_of(const TreeElement& element, std::size_t k);
+    Edge half(const TreeElement& element, std::size_t k, std::uint32_t end,
+              std::uint32_t middle) const;
+    std::uint32_t make_middle(const TreeElement& element, std::size_t k);
+    void add_child(const TreeElement& parent, const std::array<std::uint32_t, 4>& vertices,
+                   std::uint8_t creases);
+    bool is_cut_twice(const TreeElement& element) const;
+
+    std::vector<TreeVertex> vertices_;
+    std::vector<TreeElement> elements_;
+    std::unordered_map<Edge, std::uint32_t, EdgeHash> middles_;
+};
+
+}  // namespace patchlight

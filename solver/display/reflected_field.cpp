@@ -1,0 +1,74 @@
+#include "solver/display/reflected_field.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double much_brighter = 3.0;    // than the mean of what is below: an excess [1]
+constexpr double worth_sampling = 0.02;  // of all light, that the excess has [1]
+constexpr int rounds = 6;                // of cutting the mean off at the threshold
+
+}  // namespace
+
+ReflectedField::ReflectedField(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                               const PatchLocator& locator, FieldTable table)
+    : mesh_(mesh), rays_(rays), locator_(locator), table_(std::move(table)) {
+    for (const Surface& surface : scene.surfaces) normals_.push_back(surface.normal.cast<float>());
+    struct Cell {
+        double y = 0.0, area = 0.0;
+    };
+    std::vector<Cell> cells(table_.cells());
+    double whole = 0.0;
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        if (mesh.patches[i].covered) continue;
+        const double area = table_.cell_area(i);
+        for (std::size_t c = table_.first_cell(i); c < table_.first_cell(i + 1); ++c) {
+            cells[c] = {static_cast<double>(luminance_of(table_.value(c))), area};
+            whole += area;
+        }
+    }
+    double threshold = std::numeric_limits<double>::infinity(), all = 0.0, below = 0.0;
+    for (int round = 0; round < rounds; ++round) {
+        all = below = 0.0;
+        for (const Cell& cell : cells) {
+            all += cell.area * cell.y;
+            below += cell.area * std::min(cell.y, threshold);
+        }
+        threshold = much_brighter * below / std::max(whole, 1e-300);
+    }
+    threshold_ = std::numeric_limits<float>::infinity();
+    if (!(all - below > worth_sampling * all)) return;
+    threshold_ = static_cast<float>(threshold);
+    double power = 0.0;
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        if (mesh.patches[i].covered) continue;
+        for (std::size_t c = table_.first_cell(i); c < table_.first_cell(i + 1); ++c) {
+            const double excess = cells[c].y - static_cast<double>(threshold_);
+            if (!(excess > 0.0)) continue;
+            power += excess * cells[c].area;
+            bright_.push_back({c, i, power});
+        }
+    }
+    if (power > 0.0) per_power_ = static_cast<float>(1.0 / power);
+}
+
+ReflectedField::Sample ReflectedField::sample(float pick, float u, float v) const {
+    const double at = static_cast<double>(pick) * bright_.back().power;
+    const auto found =
+        std::upper_bound(bright_.begin(), bright_.end() - 1, at,
+                         [](double power, const Bright& bright) { return power < bright.power; });
+    Sample sample;
+    const SurfaceIndex s = mesh_.patches[found->patch].surface;
+    const FieldTable::Spot spot = table_.spot(found->patch, found->cell, u, v);
+    sample.normal = normals_[s];
+    sample.position = spot.position + rays_.lift(s) * sample.normal;
+    sample.seen = seen(found->cell);
+    sample.on_patch = spot.u + spot.v <= 1.0f || !mesh_.patches[found->patch].is_triangle();
+    return sample;
+}
+
+}  // namespace patchlight

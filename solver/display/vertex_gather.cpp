@@ -1,0 +1,97 @@
+#include "solver/display/vertex_gather.h"
+
+#include "solver/form_factors/blocker_table.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double inward = 1e-4;  // of the way to the patch's centre
+constexpr std::size_t points_at_a_time = 1024;
+constexpr double most_pairs = 2e7;  // of patches and patches of sources that are looked at
+
+}  // namespace
+
+VertexGather::VertexGather(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                           const PlaneGroups& planes, const PointGather& gather, std::uint64_t seed,
+                           std::function<bool()> go_on)
+    : scene_(scene),
+      mesh_(mesh),
+      rays_(rays),
+      gather_(gather),
+      seed_(seed),
+      go_on_(std::move(go_on)) {
+    double source_patches = 0.0;
+    for (const LightSource& source : gather.sources())
+        source_patches +=
+            mesh.first_of_surface[source.surface + 1] - mesh.first_of_surface[source.surface];
+    if (source_patches * static_cast<double>(mesh.size()) > most_pairs) return;
+    const BlockerTable blockers(scene, mesh, planes, go_on_);
+    clear_.assign(mesh.size(), std::vector<bool>(gather.sources().size(), true));
+    for (PatchIndex i = 0; i < mesh.size(); ++i)
+        for (std::size_t s = 0; s < gather.sources().size(); ++s) {
+            const SurfaceIndex surface = gather.sources()[s].surface;
+            for (PatchIndex j = mesh.first_of_surface[surface];
+                 j < mesh.first_of_surface[surface + 1]; ++j)
+                if (blockers.may_block(i, j)) clear_[i][s] = false;
+        }
+}
+
+GatherPoint VertexGather::point(PatchIndex i, const Vec3& position) const {
+    const Patch& patch = mesh_.patches[i];
+    const Vec3 moved = position + inward * (patch.centre - position);
+    GatherPoint point =
+        gather_.at(moved, scene_.surfaces[patch.surface].normal, rays_.lift(patch.surface));
+    if (!clear_.empty()) point.clear = &clear_[i];
+    return point;
+}
+
+bool VertexGather::may_be_shaded(PatchIndex i) const {
+    if (clear_.empty()) return !gather_.sources().empty();
+    return std::find(clear_[i].begin(), clear_[i].end(), false) != clear_[i].end();
+}
+
+std::vector<VertexGather::Gathered> VertexGather::each(
+    std::size_t count, const std::function<Gathered(std::size_t)>& at) const {
+    std::vector<Gathered> values(count);
+    for (std::size_t first = 0; first < count; first += points_at_a_time) {
+        const std::size_t end = std::min(first + points_at_a_time, count);
+        tbb::parallel_for(first, end, [&](std::size_t k) { values[k] = at(k); });
+        if (go_on_ && !go_on_()) {
+            values.resize(end);
+            break;
+        }
+    }
+    return values;
+}
+
+std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& tree,
+                                                         std::span<const std::uint32_t> vertices,
+                                                         const DirectEffort& effort) const {
+    return each(vertices.size(), [&](std::size_t k) {
+        const TreeVertex& vertex = tree.vertices()[vertices[k]];
+        return Gathered{
+            gather_.direct(point(vertex.patch, vertex.position), effort, mix(seed_, vertices[k])),
+            0.0};
+    });
+}
+
+std::vector<VertexGather::Gathered> VertexGather::indirect(const RefinementTree& tree,
+                                                           std::span<const std::uint32_t> vertices,
+                                                           const ReflectedField& field,
+                                                           int rays) const {
+    return each(vertices.size(), [&](std::size_t k) {
+        const TreeVertex& vertex = tree.vertices()[vertices[k]];
+        const PointGather::Indirect found = gather_.indirect(
+            point(vertex.patch, vertex.position), field, rays, mix(seed_ + 1, vertices[k]));
+        const Material& material =
+            scene_.materials[scene_.surfaces[surface_of(vertex.patch)].material];
+        return Gathered{found.irradiance, found.variance(material.reflectance)};
+    });
+}
+
+}  // namespace patchlight

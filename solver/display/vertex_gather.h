@@ -1,0 +1,51 @@
+#pragma once
+
+#include "solver/display/irradiance_layer.h"
+#include "solver/display/point_gather.h"
+#include "solver/mesh/patch_mesh.h"
+#include "solver/scene/plane_groups.h"
+
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace patchlight {
+
+/// Gathers irradiance on patches: at vertices of a tree, in parallel, and at any other point.
+class VertexGather {
+  public:
+    /// `go_on` is asked now and then; after a false what was gathered so far is all there is.
+    VertexGather(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                 const PlaneGroups& planes, const PointGather& gather, std::uint64_t seed,
+                 std::function<bool()> go_on);
+
+    using Gathered = IrradianceLayer::Gathered;
+    std::vector<Gathered> direct(const RefinementTree& tree,
+                                 std::span<const std::uint32_t> vertices,
+                                 const DirectEffort& effort) const;
+    std::vector<Gathered> indirect(const RefinementTree& tree,
+                                   std::span<const std::uint32_t> vertices,
+                                   const ReflectedField& field, int rays) const;
+
+    /// A point of patch i, moved a little towards its centre so that no ray starts on the edge of
+    /// another surface.
+    GatherPoint point(PatchIndex i, const Vec3& position) const;
+    SurfaceIndex surface_of(PatchIndex i) const { return mesh_.patches[i].surface; }
+    const PointGather& gather() const { return gather_; }
+    /// Whether something may stand between patch i and a source.
+    bool may_be_shaded(PatchIndex i) const;
+
+  private:
+    std::vector<Gathered> each(std::size_t count,
+                               const std::function<Gathered(std::size_t)>& at) const;
+
+    const Scene& scene_;
+    const PatchMesh& mesh_;
+    const RayScene& rays_;
+    const PointGather& gather_;
+    std::uint64_t seed_;
+    std::function<bool()> go_on_;
+    std::vector<std::vector<bool>> clear_;  // per patch and source: nothing can stand between
+};
+
+}  // namespace patchlight

@@ -1,0 +1,282 @@
+// True errors of solves to an accuracy, in random rooms, beside what they say of themselves.
+//
+//   patchlight_accuracy_bench FIRST_SEED ROOMS [POINTS [RAYS]]
+//
+// The truth at points spread by area: direct light by 128 x 128 samples of each lamp, all other
+// light by RAYS rays over the hemisphere that read a finer solution where they land.
+#include "solver/display/light_sources.h"
+#include "solver/form_factors/point_factor.h"
+#include "solver/rays/low_discrepancy.h"
+#include "solver/solve_scene.h"
+#include "tests/physics/random_room.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+
+namespace patchlight {
+namespace {
+
+constexpr int lamp_samples = 128;  // along each side
+constexpr double accuracies[] = {0.1, 0.03, 0.01, 0.003};
+
+/// Displayed radiosity at any point of a surface.
+class Shown {
+  public:
+    Shown(const Scene& scene, const Solution& solution)
+        : scene_(scene), solution_(solution), of_surface_(scene.surfaces.size()) {
+        for (std::size_t t = 0; t < solution.display.triangles.size(); ++t)
+            of_surface_[solution.mesh.patches[solution.display.patch[t]].surface].push_back(t);
+    }
+
+    Rgb at(SurfaceIndex s, const Vec3& p) const {
+        double best = -1e300;
+        Rgb value = Rgb::Zero();
+        for (const std::size_t t : of_surface_[s]) {
+            const auto [a, b, c] = solution_.display.triangles[t];
+            const auto& x = solution_.display.positions;
+            const Vec3& n = scene_.surfaces[s].normal;
+            const double whole = (x[b] - x[a]).cross(x[c] - x[a]).dot(n);
+            const double u = (x[c] - x[b]).cross(p - x[b]).dot(n) / whole,
+                         v = (x[a] - x[c]).cross(p - x[c]).dot(n) / whole, w = 1.0 - u - v;
+            const double inside = std::min({u, v, w});
+            if (inside <= best) continue;
+            best = inside;
+            const auto& r = solution_.display.radiosity;
+            value = u * r[a] + v * r[b] + w * r[c];
+            if (inside >= 0.0) break;
+        }
+        return value;
+    }
+
+  private:
+    const Scene& scene_;
+    const Solution& solution_;
+    std::vector<std::vector<std::size_t>> of_surface_;
+};
+
+/// The same on a lattice over each surface, quick enough for rays.
+class ShownQuickly {
+  public:
+    ShownQuickly(const Scene& scene, const Shown& shown, const RayScene& rays) {
+        for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+            const auto& corners = scene.surfaces[s].corners;  // parallelograms all
+            Sheet sheet;
+            const Vec3 e1 = corners[1] - corners[0], e2 = corners[3] - corners[0];
+            sheet.origin = rays.to_ray_space(corners[0]);
+            sheet.u = (e1 / (e1.squaredNorm() * rays.scale())).cast<float>();
+            sheet.v = (e2 / (e2.squaredNorm() * rays.scale())).cast<float>();
+            sheet.values.resize(lattice * lattice);
+            const Rgb& exitance = scene.materials[scene.surfaces[s].material].exitance;
+            tbb::parallel_for(std::size_t{0}, lattice * lattice, [&](std::size_t k) {
+                const double a = (static_cast<double>(k % lattice) + 0.5) / lattice,
+                             b = (static_cast<double>(k / lattice) + 0.5) / lattice;
+                sheet.values[k] = luminance(shown.at(s, corners[0] + a * e1 + b * e2) - exitance);
+            });
+            sheets_.push_back(std::move(sheet));
+        }
+    }
+    double at(SurfaceIndex s, const RayPoint& p) const {
+        const Sheet& sheet = sheets_[s];
+        const float a = (p - sheet.origin).dot(sheet.u), b = (p - sheet.origin).dot(sheet.v);
+        const auto cell = [](float x) {
+            return static_cast<std::size_t>(std::clamp(x * lattice, 0.0f, lattice - 1.0f));
+        };
+        return sheet.values[cell(b) * lattice + cell(a)];
+    }
+
+  private:
+    static constexpr std::size_t lattice = 192;
+    struct Sheet {
+        RayPoint origin, u, v;
+        std::vector<double> values;
+    };
+    std::vector<Sheet> sheets_;
+};
+
+struct Truth {
+    SurfaceIndex surface = 0;
+    Vec3 position = Vec3::Zero();
+    double reflected = 0.0;  // luminance of B - E [W/m²]
+};
+
+struct Reference {
+    const Scene& scene;
+    const RayScene& rays;
+    const std::vector<LightSource>& lamps;
+    const ShownQuickly& shown;
+    int count;  // of rays
+
+    double visible_share(const RayPoint& origin, const RayPoint& normal, const LightSource& lamp,
+                         std::mt19937_64& random) const {
+        RayBatch batch;
+        std::array<float, ray_batch> weight;
+        int filled = 0;
+        double clear = 0.0, all = 0.0;
+        const auto flush = [&] {
+            const std::uint32_t blocked = rays.blocked(batch, filled);
+            for (int k = 0; k < filled; ++k) {
+                all += weight[k];
+                if (!((blocked >> k) & 1u)) clear += weight[k];
+            }
+            filled = 0;
+        };
+        for (int n = 0; n < lamp_samples * lamp_samples; ++n) {
+            const float u = (static_cast<float>(n % lamp_samples) + jitter(random)) / lamp_samples,
+                        v = (static_cast<float>(n / lamp_samples) + jitter(random)) / lamp_samples;
+            const RayPoint ray = lamp.sampler.at(u, v) + lamp.lift * lamp.sampler.normal - origin;
+            const float squared = ray.squaredNorm();
+            const float kernel = std::max(0.0f, ray.dot(normal)) *
+                                 std::max(0.0f, -ray.dot(lamp.sampler.normal)) /
+                                 (squared * squared);
+            if (!(kernel > 0.0f)) continue;
+            batch.ox[filled] = origin.x(), batch.oy[filled] = origin.y(),
+            batch.oz[filled] = origin.z();
+            batch.dx[filled] = ray.x(), batch.dy[filled] = ray.y(), batch.dz[filled] = ray.z();
+            weight[filled++] = kernel;
+            if (filled == ray_batch) flush();
+        }
+        if (filled > 0) flush();
+        return all > 0.0 ? clear / all : 0.0;
+    }
+
+    static float jitter(std::mt19937_64& random) {
+        return static_cast<float>(random() >> 40) * 0x1p-24f;
+    }
+
+    double arriving(const Truth& at, std::uint64_t seed) const {
+        std::mt19937_64 random(seed);
+        const Surface& surface = scene.surfaces[at.surface];
+        const RayPoint normal = surface.normal.cast<float>();
+        const RayPoint origin = rays.to_ray_space(at.position) + rays.lift(at.surface) * normal;
+        double sum = 0.0;
+        for (const LightSource& lamp : lamps) {
+            const double factor =
+                point_factor(at.position, surface.normal, lamp.polygon, lamp.normal);
+            if (factor > 0.0)
+                sum +=
+                    factor * luminance(lamp.exitance) * visible_share(origin, normal, lamp, random);
+        }
+        return sum + indirect(origin, surface.normal, random);
+    }
+
+    double indirect(const RayPoint& origin, const Vec3& normal, std::mt19937_64& random) const {
+        const PlaneFrame frame = frame_of(Vec3::Zero(), normal);
+        const int side = static_cast<int>(std::sqrt(static_cast<double>(count)));
+        RayBatch batch;
+        LandingBatch landings;
+        int filled = 0;
+        double sum = 0.0;
+        const auto flush = [&] {
+            rays.land(batch, filled, landings);
+            for (int k = 0; k < filled; ++k)
+                if (landings.landing[k] == Landing::front)
+                    sum += shown.at(landings.surface[k],
+                                    {landings.x[k], landings.y[k], landings.z[k]});
+            filled = 0;
+        };
+        for (int n = 0; n < side * side; ++n) {
+            const double u = (n % side + static_cast<double>(jitter(random))) / side,
+                         turn = 2.0 * std::numbers::pi *
+                                (n / side + static_cast<double>(jitter(random))) / side;
+            const Vec3 d = std::sqrt(u) * (std::cos(turn) * frame.u + std::sin(turn) * frame.v) +
+                           std::sqrt(std::max(1e-12, 1.0 - u)) * frame.normal;
+            batch.ox[filled] = origin.x(), batch.oy[filled] = origin.y(),
+            batch.oz[filled] = origin.z();
+            batch.dx[filled] = static_cast<float>(d.x());
+            batch.dy[filled] = static_cast<float>(d.y());
+            batch.dz[filled] = static_cast<float>(d.z());
+            if (++filled == ray_batch) flush();
+        }
+        if (filled > 0) flush();
+        return sum / (side * side);
+    }
+};
+
+std::vector<Truth> spread_points(const Scene& scene, std::size_t count, unsigned seed) {
+    std::vector<double> area;
+    for (const Surface& surface : scene.surfaces)
+        area.push_back((area.empty() ? 0.0 : area.back()) + surface.area);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::vector<Truth> points(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const double at = (static_cast<double>(k) + unit(random)) / static_cast<double>(count);
+        const auto found = std::upper_bound(area.begin(), area.end() - 1, at * area.back());
+        points[k].surface = static_cast<SurfaceIndex>(found - area.begin());
+        const auto& corners = scene.surfaces[points[k].surface].corners;
+        points[k].position = corners[0] + unit(random) * (corners[1] - corners[0]) +
+                             unit(random) * (corners[3] - corners[0]);
+    }
+    return points;
+}
+
+void judge(unsigned seed, std::size_t count, int ray_count) {
+    const Scene scene = random_room(seed);
+    SolveSettings fine;
+    fine.accuracy = 0.002;
+    fine.time_limit = 20.0;
+    const Solution best = solve_scene(scene, fine, {});
+    const MeshLines lines = find_mesh_lines(scene);
+    const RayScene rays(scene, lines.overlaps);
+    const std::vector<LightSource> lamps = find_light_sources(scene, lines, rays, 1000);
+    const Shown best_shown(scene, best);
+    const ShownQuickly quickly(scene, best_shown, rays);
+    const Reference reference{scene, rays, lamps, quickly, ray_count};
+    std::vector<Truth> points = spread_points(scene, count, seed);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+        Truth& point = points[k];
+        const Rgb& reflectance =
+            scene.materials[scene.surfaces[point.surface].material].reflectance;
+        // Rooms are grey, so that luminance is all there is.
+        point.reflected = luminance(reflectance) * reference.arriving(point, mix(seed, k));
+    });
+    double norm = 0.0;
+    for (const Truth& point : points) norm += point.reflected * point.reflected;
+    for (const double accuracy : accuracies) {
+        SolveSettings settings;
+        settings.accuracy = accuracy;
+        const auto start = std::chrono::steady_clock::now();
+        const Solution solution = solve_scene(scene, settings, {});
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const Shown shown(scene, solution);
+        double error = 0.0;
+        for (const Truth& point : points) {
+            const Rgb& exitance = scene.materials[scene.surfaces[point.surface].material].exitance;
+            const double found = luminance(shown.at(point.surface, point.position) - exitance);
+            error += (found - point.reflected) * (found - point.reflected);
+        }
+        std::printf("%u,%g,%.3f,%.5f,%.5f,%d,%.5f,%.5f\n", seed, accuracy, seconds,
+                    solution.error.estimate.value_or(-1.0), std::sqrt(error / norm),
+                    solution.error.met() ? 1 : 0, solution.error.mesh.value_or(-1.0),
+                    solution.error.form_factors.value_or(-1.0));
+        std::fflush(stdout);
+    }
+}
+
+}  // namespace
+}  // namespace patchlight
+
+int main(int argc, char** argv) {
+    if (argc < 3) {
+        std::fprintf(stderr, "usage: %s FIRST_SEED ROOMS [POINTS [RAYS]]\n", argv[0]);
+        return 2;
+    }
+    const auto first = static_cast<unsigned>(std::atoi(argv[1]));
+    const int rooms = std::atoi(argv[2]);
+    const std::size_t points = argc > 3 ? static_cast<std::size_t>(std::atoi(argv[3])) : 400;
+    const int rays = argc > 4 ? std::atoi(argv[4]) : 65536;
+    std::printf("seed,accuracy,seconds,estimate,true,met,mesh,form_factors\n");
+    for (int k = 0; k < rooms; ++k)
+        patchlight::judge(first + static_cast<unsigned>(k), points, rays);
+    return 0;
+}

@@ -1,0 +1,161 @@
+#include "tests/physics/random_room.h"
+#include "tests/physics/rooms.h"
+
+#include <cmath>
+
+namespace patchlight {
+namespace {
+
+SolveSettings to(double accuracy) {
+    SolveSettings settings;
+    settings.accuracy = accuracy;
+    return settings;
+}
+
+/// Relative error of the displayed field where the exact radiosity is one value on each object.
+double error_of(const Scene& scene, const Solution& solution,
+                const std::function<double(ObjectIndex)>& exact) {
+    double wrong = 0.0, whole = 0.0;
+    for (std::size_t t = 0; t < solution.display.triangles.size(); ++t) {
+        const auto& [a, b, c] = solution.display.triangles[t];
+        const auto& p = solution.display.positions;
+        const double area = 0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm();
+        const PatchIndex i = solution.display.patch[t];
+        const ObjectIndex object = scene_object(scene, solution, i);
+        const double exitance = luminance(
+            scene.materials[scene.surfaces[solution.mesh.patches[i].surface].material].exitance);
+        for (const std::uint32_t v : {a, b, c}) {
+            const double miss = luminance(solution.display.radiosity[v]) - exact(object);
+            wrong += area / 3.0 * miss * miss;
+            whole += area / 3.0 * std::pow(exact(object) - exitance, 2);
+        }
+    }
+    return std::sqrt(wrong / whole);
+}
+
+TEST(Accuracy, AFurnaceIsAsWrongAsItSays) {
+    for (const double reflectance : {0.5, 0.9}) {
+        SceneBuilder builder;
+        builder.box("room", builder.material(reflectance, 1.0), Vec3::Zero(), Vec3(2, 3, 2.5),
+                    true);
+        const double exact = 1.0 / (1.0 - reflectance);
+        for (const double accuracy : {0.1, 0.03, 0.01}) {
+            const Solution solution = solve(builder.scene, to(accuracy));
+            EXPECT_EQ(solution.status, Status::converged);
+            ASSERT_TRUE(solution.error.estimate);
+            const double error =
+                error_of(builder.scene, solution, [&](ObjectIndex) { return exact; });
+            EXPECT_LE(error, accuracy);
+            EXPECT_LE(error, *solution.error.estimate + 1e-4);
+        }
+    }
+}
+
+TEST(Accuracy, BeginsAndEndsWithWhatWasAsked) {
+    for (const bool open : {false, true}) {
+        const Scene scene = cornell_like(open);
+        for (const double accuracy : {0.1, 0.02}) {
+            const Solution solution = solve(scene, to(accuracy));
+            EXPECT_EQ(solution.status, Status::converged);
+            EXPECT_EQ(solution.error.target, accuracy);
+            EXPECT_TRUE(solution.error.met());
+            EXPECT_LE(*solution.error.estimate, accuracy);
+            EXPECT_LE(std::hypot(*solution.error.mesh, *solution.error.form_factors),
+                      *solution.error.estimate);
+            EXPECT_LT(solution.energy.defect, accuracy);
+        }
+    }
+}
+
+TEST(Accuracy, TighterSolvesAgreeWithinBothEstimates) {
+    // Two independent solves of a room: object means may differ by no more than both estimates,
+    // an object's share of the norm being what it is.
+    for (const unsigned seed : {7u, 8u, 9u}) {
+        const Scene scene = random_room(seed);
+        const Solution fine = solve(scene, to(0.01));
+        SolveSettings settings = to(0.04);
+        settings.seed = 99;
+        const Solution rough = solve(scene, settings);
+        double wrong = 0.0, whole = 0.0;
+        for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+            const double emitted = luminance(fine.objects[o].emitted) / fine.objects[o].area;
+            const double a = luminance(fine.objects[o].radiosity),
+                         b = luminance(rough.objects[o].radiosity);
+            wrong += fine.objects[o].area * (a - b) * (a - b);
+            whole += fine.objects[o].area * (a - emitted) * (a - emitted);
+        }
+        EXPECT_LE(std::sqrt(wrong / whole), *fine.error.estimate + *rough.error.estimate) << seed;
+    }
+}
+
+TEST(Accuracy, IsTheSameFromAnyNumberOfThreads) {
+    SolveSettings settings = to(0.05);
+    settings.threads = 1;
+    const Solution one = solve(cornell_like(), settings);
+    settings.threads = 2;
+    const Solution two = solve(cornell_like(), settings);
+    ASSERT_EQ(one.display.radiosity.size(), two.display.radiosity.size());
+    for (std::size_t v = 0; v < one.display.radiosity.size(); ++v)
+        EXPECT_TRUE((one.display.radiosity[v] == two.display.radiosity[v]).all()) << v;
+    EXPECT_EQ(one.error.estimate, two.error.estimate);
+}
+
+TEST(Accuracy, SensorsSayHowWrongTheyAre) {
+    // A furnace: irradiance is E / (1 - rho) wherever a sensor looks.
+    SceneBuilder builder;
+    builder.box("room", builder.material(0.5, 1.0), Vec3::Zero(), Vec3(2, 2, 2), true);
+    builder.sensor({1, 1, 1}, Vec3::UnitZ());
+    builder.sensor({0.2, 0.3, 0.5}, Vec3(1, 2, 3).normalized());
+    const Solution solution = solve(builder.scene, to(0.02));
+    for (const SensorReport& sensor : solution.sensors)
+        EXPECT_NEAR(luminance(sensor.irradiance), 2.0, 3.0 * sensor.error + 0.002);
+}
+
+TEST(Accuracy, AMissedTargetShows) {
+    SolveSettings settings = to(0.0005);
+    settings.time_limit = 0.3;
+    const Solution solution = solve(cornell_like(), settings);
+    EXPECT_EQ(solution.status, Status::limit);
+    EXPECT_FALSE(solution.error.met());
+    EXPECT_FALSE(solution.display.triangles.empty());
+}
+
+TEST(Accuracy, NothingThatReflectsLeavesTheSensors) {
+    SceneBuilder builder;
+    const MaterialIndex black = builder.material(0.0, 0.0), lit = builder.material(0.0, 1.0);
+    builder.polygon("lamp", lit, {{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}});
+    builder.polygon("floor", black, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
+    EXPECT_FALSE(solve(builder.scene, to(0.01)).error.estimate);
+    builder.sensor({0.5, 0.5, 0}, Vec3::UnitZ());
+    const Solution solution = solve(builder.scene, to(0.01));
+    EXPECT_EQ(solution.status, Status::converged);
+    ASSERT_TRUE(solution.error.estimate);
+    EXPECT_LE(*solution.error.estimate, 1e-6) << "nothing blocks, so nothing is left to chance";
+}
+
+/// The estimate of what is set by hand against a far better solve.
+TEST_P(EveryEngineAndMethod, SaysHowWrongAHandSetSolveIs) {
+    const Scene scene = cornell_like();
+    SolveSettings settings = settings_of(GetParam());
+    settings.patch_size = 0.25;
+    set_rays(settings, 128);
+    const Solution found = solve(scene, settings);
+    ASSERT_TRUE(found.error.estimate && found.error.mesh && found.error.form_factors);
+    EXPECT_FALSE(found.error.target);
+    static const Solution best = solve(scene, to(0.005));
+    double wrong = 0.0, whole = 0.0;  // of object means: a part of the error
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const double emitted = luminance(best.objects[o].emitted) / best.objects[o].area;
+        const double a = luminance(best.objects[o].radiosity),
+                     b = luminance(found.objects[o].radiosity);
+        wrong += best.objects[o].area * (a - b) * (a - b);
+        whole += best.objects[o].area * (a - emitted) * (a - emitted);
+    }
+    EXPECT_GE(*found.error.estimate, std::sqrt(wrong / whole));
+    EXPECT_LT(*found.error.estimate, 0.6);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryWay, EveryEngineAndMethod, testing::ValuesIn(every_way()), way_name);
+
+}  // namespace
+}  // namespace patchlight

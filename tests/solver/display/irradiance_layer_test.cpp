@@ -1,0 +1,147 @@
+#include "solver/display/irradiance_layer.h"
+
+#include "tests/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace patchlight {
+namespace {
+
+using Gathered = IrradianceLayer::Gathered;
+
+struct Square {
+    CutScene pieces;
+    RefinementTree tree;
+    std::vector<Rgb> reflectance;
+
+    Square() : pieces(cut(one(), 0.51)), tree(pieces.mesh, corners(pieces)) {
+        reflectance.assign(pieces.mesh.size(), Rgb::Constant(0.5));
+    }
+    static Scene one() {
+        Scene scene = empty_scene();
+        add(scene, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, white);
+        return scene;
+    }
+    static FlatCorners corners(const CutScene& pieces) {
+        return find_flat_corners(pieces.mesh, find_plane_groups(pieces.scene));
+    }
+};
+
+template <typename Function>
+IrradianceLayer::Gather gatherer(const RefinementTree& tree, const Function& f) {
+    return [&tree, f](std::span<const std::uint32_t> vertices) {
+        std::vector<Gathered> values;
+        for (const std::uint32_t v : vertices) {
+            const Vec3& p = tree.vertices()[v].position;
+            values.push_back({Rgb::Constant(f(p.x(), p.y())), 0.0});
+        }
+        return values;
+    };
+}
+
+/// Root of the mean square of what bilinear leaves miss, times the reflectance.
+template <typename Function>
+double true_miss(const Square& square, const std::vector<Rgb>& values, const Function& f) {
+    double sum = 0.0;
+    constexpr int n = 8;
+    for (const TreeElement& element : square.tree.elements()) {
+        if (!element.is_leaf()) continue;
+        for (int k = 0; k < n * n; ++k) {
+            const double a = (k % n + 0.5) / n, b = (k / n + 0.5) / n;
+            const std::array<double, 4> w{(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b};
+            Vec3 p = Vec3::Zero();
+            double value = 0.0;
+            for (std::size_t c = 0; c < 4; ++c) {
+                p += w[c] * square.tree.vertices()[element.vertices[c]].position;
+                value += w[c] * values[element.vertices[c]][0];
+            }
+            const double miss = 0.5 * (value - f(p.x(), p.y()));
+            sum += element.area * miss * miss / (n * n);
+        }
+    }
+    return std::sqrt(sum);
+}
+
+TEST(IrradianceLayer, ReachesItsTargetOnASmoothField) {
+    const auto f = [](double x, double y) { return 1.0 + std::exp(-8.0 * (x * x + y * y)); };
+    for (const double target : {1e-2, 1e-3, 1e-4}) {
+        Square square;
+        IrradianceLayer layer(square.tree.vertices().size());
+        IrradianceLayer::Rule rule;
+        rule.target = target;
+        EXPECT_TRUE(layer.refine(square.tree, square.reflectance, rule, gatherer(square.tree, f)));
+        EXPECT_LE(layer.expected_miss(), target);
+        const double found = true_miss(square, layer.at_all(square.tree), f);
+        EXPECT_LE(found, 1.5 * target);
+        EXPECT_GE(found, target / 30.0) << "no more vertices than are needed";
+    }
+}
+
+TEST(IrradianceLayer, RefinesAlongAnEdgeAndNotBesideIt) {
+    const auto f = [](double x, double y) { return x + 0.37 * y < 0.6 ? 1.0 : 2.0; };
+    Square square;
+    IrradianceLayer layer(square.tree.vertices().size());
+    IrradianceLayer::Rule rule;
+    rule.target = 0.005;
+    layer.refine(square.tree, square.reflectance, rule, gatherer(square.tree, f));
+    double far_from = 0.0;
+    int deep = 0;
+    for (const TreeElement& element : square.tree.elements()) {
+        if (element.level < 4) continue;
+        const Vec3& p = square.tree.vertices()[element.vertices[0]].position;
+        far_from = std::max(far_from, std::abs(p.x() + 0.37 * p.y() - 0.6));
+        ++deep;
+    }
+    EXPECT_GT(deep, 20);
+    EXPECT_LT(far_from, 0.2);
+}
+
+TEST(IrradianceLayer, DoesNotRefineNoiseThatItIsToldOf) {
+    constexpr double noise = 0.05;
+    Square square;
+    IrradianceLayer layer(square.tree.vertices().size());
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal(0.0, noise);
+    const auto gather = [&](std::span<const std::uint32_t> vertices) {
+        std::vector<Gathered> values;
+        for (std::size_t k = 0; k < vertices.size(); ++k)
+            values.push_back({Rgb::Constant(1.0 + normal(random)), 0.25 * noise * noise});
+        return values;
+    };
+    IrradianceLayer::Rule rule;
+    rule.target = 0.004;  // a sixth of the noise in what is reflected
+    layer.refine(square.tree, square.reflectance, rule, gather);
+    EXPECT_LT(layer.gathered(), 2000u);
+}
+
+TEST(IrradianceLayer, LooksBetweenCornersThatAreAlike) {
+    // A spot in the middle of the square, far from every corner of the roots.
+    const auto f = [](double x, double y) {
+        return 1.0 + 5.0 * std::exp(-200.0 * ((x - 0.26) * (x - 0.26) + (y - 0.24) * (y - 0.24)));
+    };
+    Square square;
+    IrradianceLayer layer(square.tree.vertices().size());
+    IrradianceLayer::Rule rule;
+    rule.target = 0.005;
+    layer.refine(square.tree, square.reflectance, rule, gatherer(square.tree, f));
+    EXPECT_LT(true_miss(square, layer.at_all(square.tree), f), 0.01);
+}
+
+TEST(IrradianceLayer, KeepsWhatItHasWhenItIsStopped) {
+    Square square;
+    IrradianceLayer layer(square.tree.vertices().size());
+    const auto first_only = [](std::span<const std::uint32_t> vertices) {
+        return std::vector<Gathered>(vertices.size() / 2, Gathered{Rgb::Constant(3.0), 0.0});
+    };
+    EXPECT_FALSE(layer.refine(square.tree, square.reflectance, {}, first_only));
+    int known = 0;
+    for (std::uint32_t v = 0; v < square.tree.vertices().size(); ++v) known += layer.known(v);
+    EXPECT_EQ(static_cast<std::size_t>(known), layer.gathered());
+    EXPECT_GT(known, 0);
+}
+
+}  // namespace
+}  // namespace patchlight

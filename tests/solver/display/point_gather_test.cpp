@@ -1,0 +1,133 @@
+#include "solver/display/point_gather.h"
+
+#include "solver/form_factors/point_factor.h"
+#include "tests/solver/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace patchlight {
+namespace {
+
+const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+
+/// Rays read `radiosity` of patches, constant over each.
+struct Reader {
+    CutScene pieces;
+    RayScene rays;
+    PatchLocator locator;
+    std::optional<ReflectedField> field;
+    PointGather gather;
+
+    Reader(const Scene& scene, double patch_size, const std::function<double(const Vec3&)>& bright)
+        : pieces(cut(scene, patch_size)),
+          rays(pieces.scene, pieces.lines.overlaps),
+          locator(pieces.scene, pieces.mesh, rays),
+          gather(rays, find_light_sources(pieces.scene, pieces.lines, rays, 100), 1 << 14) {
+        FieldTable table(pieces.mesh, {}, rays, {});
+        for (PatchIndex i = 0; i < pieces.mesh.size(); ++i)
+            table.add_linear(i, Rgb::Constant(bright(pieces.mesh.patches[i].centre)),
+                             Eigen::Matrix3d::Zero());
+        field.emplace(pieces.scene, pieces.mesh, rays, locator, std::move(table));
+    }
+    GatherPoint at(const Vec3& position, const Vec3& normal) const {
+        return gather.at(position, normal, rays.contact());
+    }
+};
+
+Scene under_lamp(bool half_covered) {
+    Scene scene = empty_scene();
+    add(scene, rectangle({0, 0, 0}, x, y));
+    add(scene, rectangle({0, 1, 1}, x, -y), lamp);
+    if (half_covered) add(scene, rectangle({-1, 0.5, 0.9}, 3 * x, -2 * y), two_sided);
+    return scene;
+}
+
+TEST(PointGather, MeetsLambertsFormulaWhereNothingBlocks) {
+    const Reader reader(under_lamp(false), 1.0, [](const Vec3&) { return 0.0; });
+    // A unit square, seen from below its centre at distance 1.
+    const double a = 0.5 / std::sqrt(1.25), b = std::atan(0.5 / std::sqrt(1.25));
+    const double exact = 4.0 * a * b / M_PI;
+    const Rgb found = reader.gather.direct(reader.at({0.5, 0.5, 0}, z), {16, 256}, 1);
+    EXPECT_NEAR(found[0], exact, 1e-9);
+}
+
+TEST(PointGather, SeesHalfALampBehindAnEdge) {
+    const Reader reader(under_lamp(true), 1.0, [](const Vec3&) { return 0.0; });
+    const Rgb whole = reader.gather.direct(reader.at({0.5, 0.5, 0.95}, z), {16, 4096}, 1);
+    EXPECT_GT(whole[0], 0.5) << "above the cover";
+    const double a = 0.5 / std::sqrt(1.25), b = std::atan(0.5 / std::sqrt(1.25));
+    const double half = 2.0 * a * b / M_PI;
+    // The edge at y = 0.5, 0.9 up, is seen along the lamp's middle line from right below it.
+    const Rgb found = reader.gather.direct(reader.at({0.5, 0.5, 0}, z), {16, 4096}, 1);
+    EXPECT_NEAR(found[0], half, 0.005 * half) << "4096 samples, one discontinuity";
+}
+
+TEST(PointGather, TakesTheMeanOfARoomOfOneBrightness) {
+    const Reader reader(room(), 0.5, [](const Vec3&) { return 2.0; });
+    for (const Vec3& at : {Vec3(0.5, 0.5, 0), Vec3(0.01, 0.01, 0), Vec3(0.9, 0.2, 0)}) {
+        const auto found = reader.gather.indirect(reader.at(at, z), *reader.field, 256, 7);
+        EXPECT_NEAR(found.irradiance[0], 2.0, 1e-4);
+        EXPECT_NEAR(found.half_difference[0], 0.0, 1e-4);
+    }
+}
+
+double spot(const Vec3& centre) {
+    const bool is_lit = centre.z() > 0.99 && (centre - Vec3(0.55, 0.55, 1)).norm() < 0.1;
+    return is_lit ? 100.0 : 0.1;
+}
+
+TEST(PointGather, SamplesWhatIsMuchBrighterLikeALamp) {
+    const Reader reader(room(), 0.1, spot);
+    ASSERT_TRUE(reader.field->has_excess());
+    const GatherPoint point = reader.at({0.3, 0.4, 0}, z);
+    const Rgb exact = reader.gather.indirect(point, *reader.field, 1 << 14, 3).irradiance;
+    // With rays alone 256 of them would miss by 10 %: some 4 in 256 meet the spot.
+    for (std::uint64_t key = 0; key < 16; ++key) {
+        const auto found = reader.gather.indirect(point, *reader.field, 256, 100 + key);
+        EXPECT_NEAR(found.irradiance[0], exact[0], 0.03 * exact[0]);
+    }
+}
+
+TEST(PointGather, TheExcessAddsNothingAndTakesNothingAway) {
+    // The same patches read once with an excess and once as light of rays alone, at a point where
+    // many rays meet it: both means must agree.
+    const auto near_spot = [](const Vec3& centre) {
+        return centre.z() > 0.99 && centre.x() < 0.5 ? 50.0 : 1.0;
+    };
+    const Reader reader(room(), 0.25, near_spot);
+    const GatherPoint point = reader.at({0.0, 0.4, 0.9}, x);
+    double mean = 0.0;
+    constexpr int runs = 16;
+    for (std::uint64_t key = 0; key < runs; ++key)
+        mean += reader.gather.indirect(point, *reader.field, 1 << 12, key).irradiance[0] / runs;
+    // By Lambert's formula: the lit half of the ceiling, and 1 from everywhere else.
+    ConvexPolygon lit;
+    for (const Vec3& p : {Vec3(0, 0, 1), Vec3(0, 1, 1), Vec3(0.5, 1, 1), Vec3(0.5, 0, 1)})
+        lit.add(p);
+    const double factor = point_factor({0.0, 0.4, 0.9}, x, lit, -z);
+    EXPECT_NEAR(mean, 1.0 + 49.0 * factor, 0.003 * mean);
+}
+
+TEST(PointGather, VarianceOfTheHalvesTellsTheNoise) {
+    const Reader reader(room(), 0.1, [](const Vec3& c) {
+        return 1.0 + (c.x() > 0.5 ? 1.0 : 0.0) + (c.z() > 0.5 ? 0.7 : 0.0);
+    });
+    const GatherPoint point = reader.at({0.45, 0.4, 0}, z);
+    const Rgb exact = reader.gather.indirect(point, *reader.field, 1 << 14, 3).irradiance;
+    double told = 0.0, found = 0.0;
+    constexpr int runs = 400;
+    for (std::uint64_t key = 0; key < runs; ++key) {
+        const auto one = reader.gather.indirect(point, *reader.field, 128, 1000 + key);
+        told += one.variance(Rgb::Ones()) / runs;
+        found += std::pow(one.irradiance[0] - exact[0], 2) / runs;
+    }
+    EXPECT_GT(told, 0.4 * found);
+    EXPECT_LT(told, 2.5 * found);
+}
+
+}  // namespace
+}  // namespace patchlight
