@@ -18,10 +18,18 @@ namespace patchlight::server {
 namespace {
 
 /// Said even if the results are written to files, as a script may not look at the exit code.
-void tell_why_unfinished(Status status) {
-    if (status == Status::limit)
-        std::cerr << "patchlight: a limit was reached first: the result is not converged\n";
-    if (status == Status::cancelled)
+void tell_why_unfinished(const Solution& solution) {
+    if (solution.status == Status::limit) {
+        std::cerr << "patchlight: a limit was reached first: ";
+        if (!solution.error.target)
+            std::cerr << "the result is not converged\n";
+        else if (solution.error.estimate)
+            std::cerr << "the accuracy is about " << rounded(*solution.error.estimate) << ", not "
+                      << rounded(*solution.error.target) << "\n";
+        else
+            std::cerr << "how accurate the result is has not been measured\n";
+    }
+    if (solution.status == Status::cancelled)
         std::cerr << "patchlight: interrupted: the result is what there was so far\n";
 }
 
@@ -78,7 +86,7 @@ int SolveCommand::run() const {
     const JobResult result = solve(job, requests, load.count());
     write_outputs(outputs_, pictures_.exposure(), job, result);
     if (outputs_.none()) std::cout << summary(job, result);
-    tell_why_unfinished(result.solution.status);
+    tell_why_unfinished(result.solution);
     return exit_code(result.solution.status);
 }
 

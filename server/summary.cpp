@@ -18,7 +18,10 @@ std::string share(double part, double whole) {
 std::string error_line(const Solution& solution) {
     const ErrorReport& error = solution.error;
     std::string line = "error:     ";
-    if (error.estimate) line += "estimate " + rounded(*error.estimate) + ", ";
+    if (error.estimate) line += "estimate " + rounded(*error.estimate);
+    if (error.estimate && error.target)
+        line += (error.met() ? ", within the " : ", not the ") + rounded(*error.target) + " asked";
+    if (error.estimate) line += "; ";
     line += error.algebraic_bound
                 ? "solver within " + rounded(*error.algebraic_bound) + " of its matrix"
                 : "no bound";

@@ -18,7 +18,7 @@ namespace patchlight {
 namespace {
 
 /// Shares of the target that causes of error are planned to have. What they come to is measured.
-constexpr double direct_share = 0.15, indirect_share = 0.15, noise_share = 0.35;
+constexpr double direct_share = 0.20, indirect_share = 0.15, noise_share = 0.35;
 constexpr double planned = 0.8;             // of the target: all causes together, measured
 constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
 constexpr double uncorrected = 2.0;         // times a change that could not be sent on
@@ -56,6 +56,7 @@ class AccuracySolve {
     void measure(const CheckEffort& effort);
     void aim_closer();
     void settle();
+    void account();
     void finish();
     void light_sensors();
 
@@ -213,30 +214,40 @@ void AccuracySolve::light_sensors() {
         solution_.status = Status::limit;
 }
 
+/// Where the light went, of fields that are filled in.
+void AccuracySolve::account() {
+    Rgb backs = Rgb::Zero(), escaped = Rgb::Zero();
+    solution_.radiosity = exitances(stage_.scene, solution_.mesh);
+    for (PatchIndex i = 0; i < solution_.mesh.size(); ++i) {
+        const Patch& patch = solution_.mesh.patches[i];
+        const Material& material =
+            stage_.scene.materials[stage_.scene.surfaces[patch.surface].material];
+        solution_.radiosity[i] += material.reflectance * solution_.irradiance[i];
+        backs += patch.area * backs_[i] * solution_.radiosity[i];
+        escaped += patch.area * escaped_[i] * solution_.radiosity[i];
+    }
+    solution_.energy =
+        measure_energy(stage_.scene, solution_.mesh, backs, escaped, solution_.irradiance);
+}
+
 void AccuracySolve::finish() {
     solution_.within_tolerance = true;
-    solution_.radiosity = exitances(stage_.scene, solution_.mesh);
     light_sensors();
-    if (const TreeDisplay* shown = light_.shown()) {
-        solution_.error.algebraic_bound = light_.coarse().algebraic_bound;
-        solution_.convergence = light_.coarse().convergence;
-        solution_.display = shown->display;
-        solution_.irradiance = light_.irradiance();
-        Rgb backs = Rgb::Zero(), escaped = Rgb::Zero();
-        for (PatchIndex i = 0; i < solution_.mesh.size(); ++i) {
-            const Patch& patch = solution_.mesh.patches[i];
-            const Material& material =
-                stage_.scene.materials[stage_.scene.surfaces[patch.surface].material];
-            solution_.radiosity[i] += material.reflectance * solution_.irradiance[i];
-            backs += patch.area * backs_[i] * solution_.radiosity[i];
-            escaped += patch.area * escaped_[i] * solution_.radiosity[i];
+    if (const CoarseSolution* coarse = light_.coarse(); coarse && !coarse->reflected().empty()) {
+        solution_.error.algebraic_bound = coarse->transported().algebraic_bound;
+        solution_.convergence = coarse->transported().convergence;
+        if (light_.shown()) {
+            solution_.irradiance = light_.irradiance();
+        } else {  // the work ended before a round of gathering did
+            for (PatchIndex i = 0; i < solution_.mesh.size(); ++i)
+                solution_.irradiance[i] = light_.direct_means()[i] + coarse->irradiance()[i];
         }
-        solution_.energy =
-            measure_energy(stage_.scene, solution_.mesh, backs, escaped, solution_.irradiance);
-    } else {
-        solution_.display = make_display(stage_.scene, solution_.mesh, solution_.radiosity,
-                                         std::vector<double>(solution_.mesh.size(), 0.0));
+        account();
     }
+    solution_.display = light_.shown()
+                            ? light_.shown()->display
+                            : make_display(stage_.scene, solution_.mesh, solution_.radiosity,
+                                           std::vector<double>(solution_.mesh.size(), 0.0));
     solution_.seconds.display = stage_.watch.lap();
 }
 

@@ -109,7 +109,8 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
                            const CoarseTransport::Observe& observe) {
     if (!pass_.refine_direct(aim.direct * norm(), aim.effort)) return false;
     if (!shown_) {
-        if (!solve_coarse(tolerance, observe)) return false;
+        const bool by_matrix = !exact_direct_.empty();  // shooting once more takes too long
+        if (by_matrix && !solve_coarse(tolerance, observe)) return false;
         read_coarse();
     }
     pass_.restart_indirect();

@@ -46,7 +46,9 @@ class GatheredLight {
     const ReflectedField* field() const { return field_ ? &*field_ : nullptr; }
     const GatherNoise& noise();  // measured when first asked for
     const DisplayPass& pass() const { return pass_; }
-    const Transported& coarse() const { return coarse_->transported(); }
+    /// The coarse solution, once there is one.
+    const CoarseSolution* coarse() const { return coarse_ ? &*coarse_ : nullptr; }
+    const std::vector<Rgb>& direct_means() const { return direct_means_; }  // of patches [W/m²]
 
   private:
     void sort_exitance();

@@ -1,12 +1,22 @@
 #include "solver/display/display_pass.h"
 
+#include <algorithm>
+
 namespace patchlight {
 
 namespace {
 
-constexpr std::size_t most_sources = 256;
+/// Sources gathered from one by one: all of them in a room, a few in a building of many patches.
+/// The rest are as good as bright walls to rays.
+constexpr std::size_t fewest_sources = 8, most_sources = 256;
+constexpr std::size_t most_source_pairs = 4'000'000;
 constexpr int most_rays = 1 << 16;  // of one point
 constexpr std::size_t few_patches = 20'000;
+
+std::size_t sources_for(std::size_t patches) {
+    return std::clamp(most_source_pairs / std::max<std::size_t>(1, patches), fewest_sources,
+                      most_sources);
+}
 
 /// A value per patch at the vertices of a tree: means of the patches round the roots' corners,
 /// linear between.
@@ -36,7 +46,7 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
     : scene_(scene),
       mesh_(mesh),
       rays_(rays),
-      gather_(rays, find_light_sources(scene, lines, rays, most_sources), most_rays),
+      gather_(rays, find_light_sources(scene, lines, rays, sources_for(mesh.size())), most_rays),
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
     restart_direct();

@@ -13,8 +13,9 @@ constexpr double unseen_share =
     0.08;                             // of their value: corners alike do not tell what lies between
 constexpr double decay = 1.0 / 3.0;   // of what is missed, by each cut: 1/4 is smooth, 1/2 a kink
 constexpr double highest_peak = 6.0;  // that may be missed anywhere, over the root mean square [1]
-constexpr double beyond_noise = 9.0;  // its mean square: hardly ever chance [1]
-constexpr double mean_square = 0.5;   // of the miss over an element beside that at its middles [1]
+constexpr double smallest_peak = 5e-5;  // of all area: smaller ones hardly anybody will meet [1]
+constexpr double beyond_noise = 9.0;    // its mean square: hardly ever chance [1]
+constexpr double mean_square = 0.5;  // of the miss over an element beside that at its middles [1]
 
 }  // namespace
 
@@ -140,7 +141,9 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
         std::vector<Leaf> kept;
         for (const Leaf& leaf : leaves_) {
             const TreeElement& element = tree.elements()[leaf.element];
-            const bool misses = leaf.miss > share || leaf.sure > element.area * peak;
+            const bool is_peak =
+                element.area > smallest_peak * area && leaf.sure > element.area * peak;
+            const bool misses = leaf.miss > share || is_peak;
             if ((misses && element.level < rule.most_levels) || must_cut(element))
                 marked.push_back(leaf.element);
             else

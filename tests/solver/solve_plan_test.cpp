@@ -96,7 +96,7 @@ TEST(PlanSolve, ShootsWhereTheMatrixWouldNotFit) {
     const SolvePlan plan = plan_solve(room(), settings);
     EXPECT_EQ(plan.settings.method, Method::shooting);
     EXPECT_EQ(plan.settings.engine, Engine::ray_cast);
-    EXPECT_NE(plan.why.find("would not fit"), std::string::npos) << plan.why;
+    EXPECT_NE(plan.why.find("not fit"), std::string::npos) << plan.why;
     settings.method = Method::gauss_seidel;
     EXPECT_EQ(plan_solve(room(), settings).settings.method, Method::gauss_seidel);
 }
