@@ -25,6 +25,7 @@ constexpr double uncorrected = 2.0;         // times a change that could not be 
 constexpr double coarser = 3.0;             // times the target, in the rounds before the last
 constexpr double one_round = 0.05;          // targets from here on need no rounds before
 constexpr double still_settling = 0.7;      // of the error before: rounds still bring it down
+constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
 constexpr int most_rounds = 12;
 constexpr int fewest_rays = 32, most_rays = 1 << 15;  // multiples of 32
 constexpr int probe_rays = 64;
@@ -157,7 +158,9 @@ void AccuracySolve::run() {
     solution_.status = Status::limit;
     aim_.direct = direct_share * target_;
     aim_.indirect = indirect_share * target_;
-    aim_.effort = target_ < 0.005 ? DirectEffort{32, 1024} : DirectEffort{16, 256};
+    // The noise of a penumbra falls as n^-0.75.
+    const double samples = samples_at * std::pow(samples_for / target_, 1.4);
+    aim_.effort = {target_ < 0.005 ? 32 : 16, static_cast<int>(std::clamp(samples, 64.0, 8192.0))};
     const auto observe_solve = [this](int iteration, double residual) {
         return observe(iteration, residual);
     };

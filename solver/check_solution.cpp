@@ -17,8 +17,9 @@ std::vector<Rgb> once_arriving(const PatchMesh& mesh, const VertexGather& gather
     std::vector<Rgb> once(mesh.size(), Rgb::Zero());
     for (PatchIndex i = 0; i < mesh.size(); ++i)
         if (!mesh.patches[i].covered)
-            once[i] = gather.gather().direct(gather.point(i, mesh.patches[i].centre), {16, 64},
-                                             mix(seed, i));
+            once[i] = gather.gather()
+                          .direct(gather.point(i, mesh.patches[i].centre), {16, 64}, mix(seed, i))
+                          .irradiance;
     return once;
 }
 

@@ -156,7 +156,7 @@ CheckReport check_display(const Scene& scene, const TreeDisplay& shown, const Ve
     if (shown.display.triangles.empty()) return report;
     const Checker checker{scene, shown, gather, seed, make_pick(shown)};
     const auto direct = [&](const GatherPoint& point, std::uint64_t key) {
-        return gather.gather().direct(point, effort.direct, key);
+        return gather.gather().direct(point, effort.direct, key).irradiance;
     };
     const auto indirect = [&](const GatherPoint& point, std::uint64_t key) {
         return gather.gather().indirect(point, field, effort.rays, key).irradiance;

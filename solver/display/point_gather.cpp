@@ -54,9 +54,9 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, st
     if (filled > 0) trace();
 }
 
-Rgb PointGather::direct(const GatherPoint& point, const DirectEffort& effort,
-                        std::uint64_t key) const {
-    Rgb sum = Rgb::Zero();
+PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEffort& effort,
+                                        std::uint64_t key) const {
+    Direct sum;
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         const LightSource& source = sources_[s];
         const double factor =
@@ -69,8 +69,10 @@ Rgb PointGather::direct(const GatherPoint& point, const DirectEffort& effort,
             sample(point, source, stream, 0, effort.first, share);
             if (share.mixed()) sample(point, source, stream, effort.first, effort.most, share);
             if (share.all > 0.0f) clear = static_cast<double>(share.clear / share.all);
+            const double whole = factor * luminance(source.exitance);
+            sum.variance += whole * whole * clear * (1.0 - clear) * std::pow(effort.most, -1.5);
         }
-        sum += clear * factor * source.exitance;
+        sum.irradiance += clear * factor * source.exitance;
     }
     return sum;
 }

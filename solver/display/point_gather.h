@@ -33,8 +33,13 @@ class PointGather {
     const std::vector<LightSource>& sources() const { return sources_; }
     GatherPoint at(const Vec3& position, const Vec3& normal, float lift) const;
 
-    /// From the sources [W/m²].
-    Rgb direct(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
+    struct Direct {
+        Rgb irradiance = Rgb::Zero();  // [W/m²]
+        double variance = 0.0;         // of its luminance, from lamps seen in part [W²/m⁴]
+    };
+    /// From the sources. The variance is that of n scrambled points in a plane cut by an edge,
+    /// about p (1 - p) / n^1.5.
+    Direct direct(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
     struct Indirect {
         Rgb irradiance = Rgb::Zero();       // [W/m²]
         Rgb half_difference = Rgb::Zero();  // of what both halves of the rays say [W/m²]

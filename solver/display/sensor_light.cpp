@@ -21,7 +21,7 @@ SensorReport light_at(const Sensor& sensor, std::size_t number, const RayScene& 
     for (std::size_t half = 0; half < 2; ++half) {
         const std::uint64_t key = mix(effort.seed, 2 * number + half);
         indirect[half] = gather.indirect(point, field, effort.rays, mix(key, 1)).irradiance;
-        sum[half] = gather.direct(point, effort.direct, key) + indirect[half];
+        sum[half] = gather.direct(point, effort.direct, key).irradiance + indirect[half];
     }
     SensorReport report;
     report.irradiance = 0.5 * (sum[0] + sum[1]);

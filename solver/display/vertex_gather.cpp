@@ -74,9 +74,11 @@ std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& t
                                                          const DirectEffort& effort) const {
     return each(vertices.size(), [&](std::size_t k) {
         const TreeVertex& vertex = tree.vertices()[vertices[k]];
-        return Gathered{
-            gather_.direct(point(vertex.patch, vertex.position), effort, mix(seed_, vertices[k])),
-            0.0};
+        const PointGather::Direct found =
+            gather_.direct(point(vertex.patch, vertex.position), effort, mix(seed_, vertices[k]));
+        const double y = luminance(
+            scene_.materials[scene_.surfaces[surface_of(vertex.patch)].material].reflectance);
+        return Gathered{found.irradiance, y * y * found.variance};
     });
 }
 

@@ -51,18 +51,19 @@ TEST(PointGather, MeetsLambertsFormulaWhereNothingBlocks) {
     // A unit square, seen from below its centre at distance 1.
     const double a = 0.5 / std::sqrt(1.25), b = std::atan(0.5 / std::sqrt(1.25));
     const double exact = 4.0 * a * b / M_PI;
-    const Rgb found = reader.gather.direct(reader.at({0.5, 0.5, 0}, z), {16, 256}, 1);
+    const Rgb found = reader.gather.direct(reader.at({0.5, 0.5, 0}, z), {16, 256}, 1).irradiance;
     EXPECT_NEAR(found[0], exact, 1e-9);
 }
 
 TEST(PointGather, SeesHalfALampBehindAnEdge) {
     const Reader reader(under_lamp(true), 1.0, [](const Vec3&) { return 0.0; });
-    const Rgb whole = reader.gather.direct(reader.at({0.5, 0.5, 0.95}, z), {16, 4096}, 1);
+    const Rgb whole =
+        reader.gather.direct(reader.at({0.5, 0.5, 0.95}, z), {16, 4096}, 1).irradiance;
     EXPECT_GT(whole[0], 0.5) << "above the cover";
     const double a = 0.5 / std::sqrt(1.25), b = std::atan(0.5 / std::sqrt(1.25));
     const double half = 2.0 * a * b / M_PI;
     // The edge at y = 0.5, 0.9 up, is seen along the lamp's middle line from right below it.
-    const Rgb found = reader.gather.direct(reader.at({0.5, 0.5, 0}, z), {16, 4096}, 1);
+    const Rgb found = reader.gather.direct(reader.at({0.5, 0.5, 0}, z), {16, 4096}, 1).irradiance;
     EXPECT_NEAR(found[0], half, 0.005 * half) << "4096 samples, one discontinuity";
 }
 
