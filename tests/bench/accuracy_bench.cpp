@@ -223,8 +223,12 @@ void judge(unsigned seed, std::size_t count, int ray_count) {
     const Scene scene = random_room(seed);
     SolveSettings fine;
     fine.accuracy = 0.002;
-    fine.time_limit = 20.0;
+    fine.time_limit = 60.0;
     const Solution best = solve_scene(scene, fine, {});
+    if (!best.error.met()) {
+        std::fprintf(stderr, "%u is left out: its truth takes too long\n", seed);
+        return;
+    }
     const MeshLines lines = find_mesh_lines(scene);
     const RayScene rays(scene, lines.overlaps);
     const std::vector<LightSource> lamps = find_light_sources(scene, lines, rays, 1000);
