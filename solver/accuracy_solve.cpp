@@ -234,11 +234,11 @@ void AccuracySolve::account() {
 }
 
 void AccuracySolve::finish() {
-    solution_.within_tolerance = true;
     light_sensors();
     if (const CoarseSolution* coarse = light_.coarse(); coarse && !coarse->reflected().empty()) {
         solution_.error.algebraic_bound = coarse->transported().algebraic_bound;
         solution_.convergence = coarse->transported().convergence;
+        solution_.within_tolerance = coarse->transported().stopped_by == StopReason::tolerance;
         if (light_.shown()) {
             solution_.irradiance = light_.irradiance();
         } else {  // the work ended before a round of gathering did
