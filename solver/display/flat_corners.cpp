@@ -12,6 +12,7 @@ struct PatchEdge {  // of an edge: the patch that has it, its ends at corners `l
     VertexIndex a = 0, b = 0;  // a < b
     std::uint32_t plane = 0;
     std::uint32_t at_a = 0, at_b = 0;  // corner numbers before joining, 4 * patch + corner
+    std::uint32_t number = 0;          // 4 * patch + the corner it goes on from
     auto key() const { return std::tuple(a, b, plane); }
 };
 
@@ -32,13 +33,29 @@ std::vector<PatchEdge> find_sides(const PatchMesh& mesh, const PlaneGroups& plan
                 std::swap(side.a, side.b);
                 std::swap(side.at_a, side.at_b);
             }
-            if (!mesh.is_crease(side.a, side.b)) sides.push_back(side);
+            side.number = static_cast<std::uint32_t>(4 * i + k);
+            sides.push_back(side);
         }
     }
     std::sort(sides.begin(), sides.end(), [](const PatchEdge& p, const PatchEdge& q) {
         return std::tuple(p.key(), p.at_a) < std::tuple(q.key(), q.at_a);
     });
     return sides;
+}
+
+/// Per side, in their order.
+std::vector<bool> find_creases(const PatchMesh& mesh, const std::vector<PatchEdge>& sides) {
+    std::vector<bool> creases(sides.size());
+    for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
+        bool crease = mesh.is_crease(sides[first].a, sides[first].b);
+        for (end = first;
+             end < sides.size() && sides[end].a == sides[first].a && sides[end].b == sides[first].b;
+             ++end)
+            crease = crease || sides[end].plane != sides[first].plane;
+        std::fill(creases.begin() + static_cast<std::ptrdiff_t>(first),
+                  creases.begin() + static_cast<std::ptrdiff_t>(end), crease);
+    }
+    return creases;
 }
 
 }  // namespace
@@ -54,13 +71,18 @@ FlatCorners find_flat_corners(const PatchMesh& mesh, const PlaneGroups& planes) 
         const auto [low, high] = std::minmax({root(c), root(d)});
         leader[high] = low;
     };
+    FlatCorners corners;
+    corners.creases.assign(mesh.size(), 0);
     const std::vector<PatchEdge> sides = find_sides(mesh, planes);
-    for (std::size_t k = 1; k < sides.size(); ++k) {
-        if (sides[k].key() != sides[k - 1].key()) continue;
+    const std::vector<bool> creases = find_creases(mesh, sides);
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        if (creases[k])
+            corners.creases[sides[k].number / 4] |=
+                static_cast<std::uint8_t>(1u << (sides[k].number % 4));
+        if (creases[k] || k == 0 || sides[k].key() != sides[k - 1].key()) continue;
         join(sides[k].at_a, sides[k - 1].at_a);
         join(sides[k].at_b, sides[k - 1].at_b);
     }
-    FlatCorners corners;
     constexpr std::uint32_t unnumbered = ~0u;
     std::vector<std::uint32_t> number(leader.size(), unnumbered);
     corners.of_patch.resize(mesh.size());
