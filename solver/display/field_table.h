@@ -50,10 +50,11 @@ class FieldTable {
         float ox = 0, oy = 0, oz = 0, ux = 0, uy = 0, uz = 0, vx = 0, vy = 0, vz = 0;
     };
     struct Filler;
+    /// Of what lies far off a needle, or nowhere, too.
     std::size_t row(float u) const {
-        const auto cell = static_cast<std::int32_t>(u);
-        const auto last = static_cast<std::int32_t>(count_) - 1;
-        return static_cast<std::size_t>(u <= 0.0f ? 0 : cell > last ? last : cell);
+        const auto last = static_cast<float>(count_ - 1);
+        if (!(u > 0.0f)) return 0;
+        return u < last ? static_cast<std::size_t>(u) : count_ - 1;
     }
 
     std::size_t count_ = 1;  // cells along each direction of a patch

@@ -7,6 +7,7 @@ namespace patchlight {
 
 namespace {
 
+constexpr float tiny = 1e-12f;      // squared distance that is taken for no less [ray space]
 constexpr int samples_per_ray = 4;  // rays to one sample of the excess
 /// Both halves of one scrambled sequence differ more than independent ones would: as the variance
 /// falls with the power 1.44 of the number of rays, by this.
@@ -63,7 +64,7 @@ struct PointGather::Hemisphere {
         float weight = 1.0f;
         if (ratio > 0.0f && seen.density > 0.0f) {
             const RayPoint direction(batch.dx[k], batch.dy[k], batch.dz[k]);
-            const float squared = (at - point.origin).squaredNorm();
+            const float squared = std::max(tiny, (at - point.origin).squaredNorm());
             const float density =  // of rays, per area
                 std::max(0.0f, direction.dot(frame.normal)) *
                 std::max(0.0f, -direction.dot(field.normal(landings.surface[k]))) /
@@ -102,7 +103,7 @@ struct PointGather::Excess {
                 field.sample(gather.points_.at(0, at, seeds[0]), gather.points_.at(1, at, seeds[1]),
                              gather.points_.at(2, at, seeds[2]));
             const RayPoint ray = sample.position - point.origin;
-            const float squared = ray.squaredNorm();
+            const float squared = std::max(tiny, ray.squaredNorm());
             const float density = std::max(0.0f, ray.dot(normal)) *
                                   std::max(0.0f, -ray.dot(sample.normal)) /
                                   (std::numbers::pi_v<float> * squared * squared);

@@ -7,6 +7,10 @@
 
 namespace patchlight {
 
+namespace {
+constexpr float tiny = 1e-12f;  // squared distance that is taken for no less [ray space]
+}
+
 PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples)
     : rays_(rays),
       sources_(std::move(sources)),
@@ -41,7 +45,7 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, st
         const RayPoint ray =
             source.sampler.at(points_.at(0, at, seeds[0]), points_.at(1, at, seeds[1])) +
             source.lift * source.sampler.normal - point.origin;
-        const float squared = ray.squaredNorm();
+        const float squared = std::max(tiny, ray.squaredNorm());
         const float weight = std::max(0.0f, ray.dot(normal)) *
                              std::max(0.0f, -ray.dot(source.sampler.normal)) / (squared * squared);
         if (!(weight > 0.0f)) continue;
