@@ -27,6 +27,9 @@ class DisplayPass {
     void restart_direct() { direct_.emplace(tree_.vertices().size()); }
     void restart_indirect() { indirect_.emplace(tree_.vertices().size()); }
 
+    /// Cuts the tree until triangles miss no more of how the field bends between what was gathered
+    /// than √∫ Y² dA [W/m].
+    void show_bends(double missed);
     /// The field so far; `added` to the indirect irradiance of each patch, smoothly; or empty.
     TreeDisplay show(const std::vector<Rgb>& added);
     const VertexGather& points() const { return points_; }
@@ -34,6 +37,9 @@ class DisplayPass {
     const IrradianceLayer& indirect() const { return *indirect_; }
 
   private:
+    SplitIrradiance at_all() const;
+    double missed_bend(std::uint32_t leaf, const SplitIrradiance& arriving) const;
+
     const Scene& scene_;
     const PatchMesh& mesh_;
     const RayScene& rays_;
@@ -41,6 +47,7 @@ class DisplayPass {
     VertexGather points_;
     RefinementTree tree_;
     std::optional<IrradianceLayer> direct_, indirect_;
+    double area_ = 0.0;        // of what is not covered [m²]
     std::vector<Rgb> weight_;  // per patch, of irradiance that is missed [1]
 };
 

@@ -1,5 +1,8 @@
 #include "solver/display/irradiance_layer.h"
 
+#include "solver/display/curved_mean.h"
+#include "solver/display/likely_field.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,20 +22,11 @@ constexpr double mean_square = 0.5;  // of the miss over an element beside that 
 
 }  // namespace
 
-/// Square of what linear interpolation between some vertices misses at another, and how much of it
-/// noise makes on average.
-IrradianceLayer::Miss IrradianceLayer::miss(std::uint32_t vertex,
-                                            std::span<const std::uint32_t> between,
+/// Square of what interpolation misses at a vertex, and how much of it noise makes on average.
+IrradianceLayer::Miss IrradianceLayer::miss(std::uint32_t vertex, const Rgb& expected, double noise,
                                             const Rgb& reflectance) const {
-    const double share = 1.0 / static_cast<double>(between.size());
-    Rgb linear = Rgb::Zero();
-    double noise = variance_[vertex];
-    for (const std::uint32_t v : between) {
-        linear += share * value_[v];
-        noise += share * share * variance_[v];
-    }
-    const double missed = luminance(reflectance * (value_[vertex] - linear));
-    return {missed * missed, noise};
+    const double missed = luminance(reflectance * (value_[vertex] - expected));
+    return {missed * missed, noise + variance_[vertex]};
 }
 
 double IrradianceLayer::root_miss(const TreeElement& element, const Rgb& reflectance) const {
@@ -84,12 +78,21 @@ void IrradianceLayer::add_children(const RefinementTree& tree, std::uint32_t ele
     const std::size_t n = parent.corner_count();
     const auto& v = parent.vertices;
     std::array<Miss, 4> at_edge{};  // in the middle of each
+    Rgb expected_inside = Rgb::Zero();
+    double variance = 0.0;  // mean of the corners'
+    for (std::size_t k = 0; k < n; ++k) variance += variance_[v[k]] / static_cast<double>(n);
     for (std::size_t k = 0; k < n; ++k) {
-        const std::array<std::uint32_t, 2> ends{v[k], v[(k + 1) % n]};
-        at_edge[k] = miss(tree.middle(parent, k), ends, reflectance);
+        const std::uint32_t m = tree.middle(parent, k), a = v[k], b = v[(k + 1) % n];
+        const auto& row = tree.vertices()[m].row;
+        const Rgb expected = edge_mean(row, a, b, value_);
+        at_edge[k] = miss(m, expected, edge_noise(row.has_value()) * variance, reflectance);
+        expected_inside += 0.5 * expected - 0.25 * value_[a];
     }
     const std::uint32_t c = tree.centre(parent);
-    const Miss inside = c == RefinementTree::none ? Miss{} : miss(c, v, reflectance);
+    const Miss inside =
+        c == RefinementTree::none
+            ? Miss{}
+            : miss(c, expected_inside, quad_noise(parent.level > 0) * variance, reflectance);
     for (std::size_t k = 0; k < 4; ++k) {
         const std::uint32_t child = parent.first_child + static_cast<std::uint32_t>(k);
         std::array<Miss, 3> near{at_edge[0], at_edge[1], at_edge[2]};  // triangle in the middle
@@ -107,6 +110,22 @@ void IrradianceLayer::add_children(const RefinementTree& tree, std::uint32_t ele
         leaf.sure *= scale;
         leaves.push_back(leaf);
     }
+}
+
+/// An edge of a shadow that was found in one element goes on in those beside it.
+void IrradianceLayer::follow_neighbours(const RefinementTree& tree, const Rule& rule,
+                                        std::vector<std::uint32_t>& marked,
+                                        std::vector<Leaf>& kept) const {
+    const auto is_known = [&](std::uint32_t v) { return known(v); };
+    std::vector<Leaf> left;
+    for (const Leaf& leaf : kept) {
+        const TreeElement& element = tree.elements()[leaf.element];
+        if (element.level < rule.most_levels && tree.is_cut_twice(element, is_known))
+            marked.push_back(leaf.element);
+        else
+            left.push_back(leaf);
+    }
+    kept = std::move(left);
 }
 
 bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& reflectance,
@@ -149,6 +168,7 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
             else
                 kept.push_back(leaf);
         }
+        if (marked.empty() && rule.follow) follow_neighbours(tree, rule, marked, kept);
         if (marked.empty()) return true;
         std::vector<std::uint32_t> children;
         for (const std::uint32_t e : marked) {
@@ -162,16 +182,20 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
     }
 }
 
+void IrradianceLayer::smooth(const RefinementTree& tree, const std::vector<Rgb>& reflectance,
+                             double least_miss) {
+    grow(tree);
+    value_ = likely_field(tree, {value_, variance_, known_, reflectance}, least_miss);
+}
+
 std::vector<Rgb> IrradianceLayer::at_all(const RefinementTree& tree) const {
     std::vector<Rgb> values(tree.vertices().size(), Rgb::Zero());
     for (std::uint32_t v = 0; v < values.size(); ++v) {
         const TreeVertex& vertex = tree.vertices()[v];
-        if (known(v)) {
+        if (known(v))
             values[v] = value_[v];
-        } else {
-            for (std::uint8_t k = 0; k < vertex.parent_count; ++k)
-                values[v] += values[vertex.parents[k]] / static_cast<double>(vertex.parent_count);
-        }
+        else if (vertex.parent_count > 0)
+            values[v] = curved_mean(tree, vertex, values);
     }
     return values;
 }

@@ -27,6 +27,7 @@ class IrradianceLayer {
         int most_levels = 10;  // below roots
         int least_levels = 0;  // where `must_look` says so
         std::function<bool(PatchIndex)> must_look = {};
+        bool follow = false;  // look, too, where an element beside was cut twice as fine
         std::size_t most_vertices = 2'000'000;
     };
 
@@ -40,6 +41,9 @@ class IrradianceLayer {
     bool refine(RefinementTree& tree, const std::vector<Rgb>& reflectance, const Rule& rule,
                 const Gather& gather);
 
+    /// Replaces what was gathered by the most likely field behind it (likely_field.h): after the
+    /// last refinement.
+    void smooth(const RefinementTree& tree, const std::vector<Rgb>& reflectance, double least_miss);
     /// The value at every vertex of the tree: interpolated where none was gathered.
     std::vector<Rgb> at_all(const RefinementTree& tree) const;
     bool known(std::uint32_t vertex) const { return vertex < known_.size() && known_[vertex]; }
@@ -59,10 +63,12 @@ class IrradianceLayer {
     double root_miss(const TreeElement& element, const Rgb& reflectance) const;
     void add_children(const RefinementTree& tree, std::uint32_t element, const Rgb& reflectance,
                       std::vector<Leaf>& leaves) const;
+    void follow_neighbours(const RefinementTree& tree, const Rule& rule,
+                           std::vector<std::uint32_t>& marked, std::vector<Leaf>& kept) const;
     struct Miss {
         double square = 0.0, noise = 0.0;  // [W²/m⁴]
     };
-    Miss miss(std::uint32_t vertex, std::span<const std::uint32_t> between,
+    Miss miss(std::uint32_t vertex, const Rgb& expected, double noise,
               const Rgb& reflectance) const;
 
     std::vector<Rgb> value_;        // per vertex [W/m²]

@@ -20,14 +20,13 @@ RefinementTree::RefinementTree(const PatchMesh& mesh, const FlatCorners& corners
         TreeElement element;
         element.vertices = corners.of_patch[i];
         element.patch = i;
+        element.creases = corners.creases[i];
         element.area = patch.area;
         const std::size_t n = patch.corner_count();
         for (std::size_t k = 0; k < n; ++k) {
             TreeVertex& vertex = vertices_[element.vertices[k]];
             vertex.position = mesh.vertices[patch.vertices[k]];
             vertex.patch = i;
-            if (mesh.is_crease(patch.vertices[k], patch.vertices[(k + 1) % n]))
-                element.creases |= static_cast<std::uint8_t>(1u << k);
         }
         elements_.push_back(element);
     }
@@ -65,9 +64,44 @@ std::uint32_t RefinementTree::make_middle(const TreeElement& element, std::size_
         vertex.patch = element.patch;
         vertex.parents = {edge.a, edge.b, 0, 0};
         vertex.parent_count = 2;
+        vertex.row = row(element, k);
         vertices_.push_back(vertex);
     }
     return place->second;
+}
+
+/// The edge from a to b is half of one that ends beyond b, or of the line across a quad whose
+/// middle is b.
+std::optional<VertexRow> RefinementTree::row_past(std::uint32_t a, std::uint32_t b) const {
+    const TreeVertex& middle = vertices_[b];
+    for (std::size_t k = 0; k < middle.parent_count; ++k)
+        if (middle.parents[k] == a)
+            return VertexRow{a, b, middle.parents[middle.parent_count == 2 ? 1 - k : (k + 2) % 4]};
+    return std::nullopt;
+}
+
+/// The edge between the middles of two edges of a triangle is like half of its third edge.
+std::optional<VertexRow> RefinementTree::row_inside_triangle(std::uint32_t a, std::uint32_t b,
+                                                             PatchIndex patch) const {
+    const TreeVertex &p = vertices_[a], &q = vertices_[b];
+    if (p.parent_count != 2 || q.parent_count != 2) return std::nullopt;
+    for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t l = 0; l < 2; ++l) {
+            if (p.parents[k] != q.parents[l]) continue;
+            const std::uint32_t c = p.parents[1 - k], d = q.parents[1 - l];
+            for (const std::uint32_t owner : {0u, patch + 1})
+                if (const auto found = middles_.find({std::min(c, d), std::max(c, d), owner});
+                    found != middles_.end())
+                    return VertexRow{c, found->second, d};
+        }
+    return std::nullopt;
+}
+
+std::optional<VertexRow> RefinementTree::row(const TreeElement& element, std::size_t k) const {
+    const Edge edge = edge_of(element, k);
+    if (const auto past = row_past(edge.a, edge.b)) return past;
+    if (const auto past = row_past(edge.b, edge.a)) return past;
+    return row_inside_triangle(edge.a, edge.b, element.patch);
 }
 
 void RefinementTree::add_child(const TreeElement& parent,
@@ -105,7 +139,7 @@ void RefinementTree::split(std::uint32_t number) {
     TreeVertex centre;
     for (const std::uint32_t corner : v) centre.position += 0.25 * vertices_[corner].position;
     centre.patch = parent.patch;
-    centre.parents = v;
+    centre.parents = m;
     centre.parent_count = 4;
     const auto c = static_cast<std::uint32_t>(vertices_.size());
     vertices_.push_back(centre);
@@ -113,24 +147,13 @@ void RefinementTree::split(std::uint32_t number) {
         add_child(parent, {v[k], m[k], c, m[(k + 3) % 4]}, outer(k, 0) | outer((k + 3) % 4, 3));
 }
 
-bool RefinementTree::is_cut_twice(const TreeElement& element) const {
-    for (std::size_t k = 0; k < element.corner_count(); ++k) {
-        const std::uint32_t m = middle(element, k);
-        if (m == none) continue;
-        const Edge edge = edge_of(element, k);
-        if (middles_.contains(half(element, k, edge.a, m)) ||
-            middles_.contains(half(element, k, edge.b, m)))
-            return true;
-    }
-    return false;
-}
-
 std::vector<std::uint32_t> RefinementTree::balance() {
     std::vector<std::uint32_t> done;
+    const auto any = [](std::uint32_t) { return true; };
     for (std::size_t before = done.size() + 1; before != done.size();) {
         before = done.size();
         for (std::uint32_t e = 0; e < elements_.size(); ++e)
-            if (elements_[e].is_leaf() && is_cut_twice(elements_[e])) {
+            if (elements_[e].is_leaf() && is_cut_twice(elements_[e], any)) {
                 split(e);
                 done.push_back(e);
             }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -25,12 +26,17 @@ struct TreeElement {
     bool is_leaf() const { return first_child == 0; }
 };
 
-/// Vertices are numbered so that a vertex comes after those it lies between.
+/// Three vertices in a row, equally far apart, of the element an edge was cut out of: how a field
+/// bends along them is how it bends along the edge.
+using VertexRow = std::array<std::uint32_t, 3>;
+
+/// Vertices are numbered so that a vertex comes after those it lies between, and those of its row.
 struct TreeVertex {
     Vec3 position = Vec3::Zero();            // [m]
     PatchIndex patch = 0;                    // a root it is part of
-    std::array<std::uint32_t, 4> parents{};  // the ends of its edge, or corners of its element
+    std::array<std::uint32_t, 4> parents{};  // the ends of its edge, or the middles round a quad
     std::uint8_t parent_count = 0;           // 0 at the corners of roots
+    std::optional<VertexRow> row;            // of a middle of an edge below the roots
 };
 
 /// Patches as roots of quadtrees that share their vertices, so that irradiance can be refined where
@@ -44,6 +50,9 @@ class RefinementTree {
 
     /// Cuts a leaf; nothing if it is none.
     void split(std::uint32_t element);
+    /// Whether an edge of an element is cut in more than two, by vertices that count.
+    template <typename Counts>
+    bool is_cut_twice(const TreeElement& element, const Counts& counts) const;
     /// Splits leaves until none has an edge cut in more than two. Those that were split, in order.
     std::vector<std::uint32_t> balance();
 
@@ -52,6 +61,8 @@ class RefinementTree {
     std::uint32_t middle(const TreeElement& element, std::size_t k) const;
     /// The vertex in the middle of a quad that was split; none of a triangle.
     std::uint32_t centre(const TreeElement& element) const;
+    /// The row along the edge from corner k on; none of a root.
+    std::optional<VertexRow> row(const TreeElement& element, std::size_t k) const;
 
   private:
     struct Edge {
@@ -66,13 +77,28 @@ class RefinementTree {
     Edge half(const TreeElement& element, std::size_t k, std::uint32_t end,
               std::uint32_t middle) const;
     std::uint32_t make_middle(const TreeElement& element, std::size_t k);
+    std::optional<VertexRow> row_past(std::uint32_t a, std::uint32_t b) const;
+    std::optional<VertexRow> row_inside_triangle(std::uint32_t a, std::uint32_t b,
+                                                 PatchIndex patch) const;
     void add_child(const TreeElement& parent, const std::array<std::uint32_t, 4>& vertices,
                    std::uint8_t creases);
-    bool is_cut_twice(const TreeElement& element) const;
-
     std::vector<TreeVertex> vertices_;
     std::vector<TreeElement> elements_;
     std::unordered_map<Edge, std::uint32_t, EdgeHash> middles_;
 };
+
+template <typename Counts>
+bool RefinementTree::is_cut_twice(const TreeElement& element, const Counts& counts) const {
+    for (std::size_t k = 0; k < element.corner_count(); ++k) {
+        const std::uint32_t m = middle(element, k);
+        if (m == none || !counts(m)) continue;
+        const Edge edge = edge_of(element, k);
+        for (const std::uint32_t end : {edge.a, edge.b})
+            if (const auto found = middles_.find(half(element, k, end, m));
+                found != middles_.end() && counts(found->second))
+                return true;
+    }
+    return false;
+}
 
 }  // namespace patchlight
