@@ -18,14 +18,19 @@ namespace patchlight {
 namespace {
 
 /// Shares of the target that causes of error are planned to have. What they come to is measured.
-constexpr double direct_share = 0.20, indirect_share = 0.15, noise_share = 0.35;
+constexpr double direct_share = 0.25, indirect_share = 0.20, noise_share = 0.38;
 constexpr double planned = 0.8;             // of the target: all causes together, measured
 constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
 constexpr double uncorrected = 2.0;         // times a change that could not be sent on
 constexpr double coarser = 3.0;             // times the target, in the rounds before the last
+constexpr double settled = 0.5;             // of the target: changes that need no further round
 constexpr double one_round = 0.05;          // targets from here on need no rounds before
 constexpr double still_settling = 0.7;      // of the error before: rounds still bring it down
 constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
+constexpr double first_for = 0.64;                        // samples of each lamp, times the target
+constexpr int most_first = 512;
+constexpr double promising = 0.9;  // of the target: worth more points
+constexpr int most_checks = 8;
 constexpr int most_rounds = 12;
 constexpr int fewest_rays = 32, most_rays = 1 << 15;  // multiples of 32
 constexpr int probe_rays = 64;
@@ -54,7 +59,7 @@ class AccuracySolve {
     }
     bool prepare_transport();
     bool gather(double coarseness);
-    void measure(const CheckEffort& effort);
+    void measure();
     void aim_closer();
     void settle();
     void account();
@@ -111,23 +116,43 @@ bool AccuracySolve::gather(double coarseness) {
         [this](int iteration, double residual) { return observe(iteration, residual); });
 }
 
-void AccuracySolve::measure(const CheckEffort& effort) {
-    checks_ = light_.check(effort, seed(0x636865636b));
+/// Until it is known well enough: where the target would be met but for the doubt that few points
+/// leave, more of them.
+void AccuracySolve::measure() {
+    CheckEffort effort;
+    effort.direct = {std::max(64, 2 * aim_.effort.first), 2 * aim_.effort.most};
+    effort.rays = std::clamp(aim_.rays, 256, 4096);
     const bool corrected = solution_.settings.method != Method::shooting;
-    estimate_error(*checks_, light_.reflected(),
-                   (corrected ? left_by_correction : uncorrected) * light_.correction(),
-                   solution_.error);
+    const double coarse = (corrected ? left_by_correction : uncorrected) * light_.correction();
+    const ReflectedLight reflected = light_.reflected();
+    checks_.reset();
+    for (int times = 1; times <= most_checks; times *= 2) {
+        for (int k = times / 2; k < times; ++k) {
+            const CheckReport more =
+                light_.check(effort, seed(0x636865636b + static_cast<std::uint64_t>(k)));
+            checks_ = checks_ ? joined(*checks_, more) : more;
+        }
+        estimate_error(*checks_, reflected, coarse, 0.0, solution_.error);
+        const double without_doubt = *solution_.error.estimate;
+        estimate_error(*checks_, reflected, coarse, sure, solution_.error);
+        if (solution_.error.met() || without_doubt > promising * target_ || !go_on()) break;
+    }
 }
 
-/// Where more was missed than its share, less may be missed; where noise is the most of it, more
-/// rays.
+/// What was missed by more than its share, or by most of it, may be missed less; where noise is the
+/// most of it, more rays.
 void AccuracySolve::aim_closer() {
     const double norm = light_.norm(), allowed = planned * target_ / std::sqrt(2.0);
     const double direct = passed_on * checks_->direct.at_most(1.0) / norm,
                  indirect = passed_on * checks_->indirect.at_most(1.0) / norm;
-    if (direct > allowed) aim_.direct *= std::clamp(0.8 * allowed / direct, 0.3, 0.8);
-    if (indirect <= allowed) return;
-    const double scale = std::clamp(0.8 * allowed / indirect, 0.3, 0.8);
+    const auto closer = [&](double missed) { return std::clamp(0.8 * allowed / missed, 0.3, 0.8); };
+    if (direct > allowed || direct > indirect) {
+        aim_.direct *= closer(direct);
+        aim_.effort.first = std::min(2 * aim_.effort.first, most_first);
+    }
+    aim_.keep_indirect = indirect <= allowed && indirect < direct;
+    if (aim_.keep_indirect) return;
+    const double scale = closer(indirect);
     // Linear interpolation between vertices halves the variance.
     const double noise = light_.noise().absolute(aim_.rays) / std::sqrt(2.0) / norm;
     if (noise > 0.5 * indirect)
@@ -137,19 +162,14 @@ void AccuracySolve::aim_closer() {
         aim_.indirect *= scale;
 }
 
-/// Rounds that cost little, until they bring the error no further down.
+/// Rounds that cost little, until they change little.
 void AccuracySolve::settle() {
-    CheckEffort quick;
-    quick.direct_points = 0;
-    quick.indirect_points = 128;
-    quick.rays = 128;
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < most_rounds; ++round) {
         if (!gather(coarser)) return;
-        measure(quick);
-        if (*solution_.error.estimate <= coarser * planned * target_) return;
-        if (*solution_.error.estimate > still_settling * before) return;
-        before = *solution_.error.estimate;
+        if (light_.correction() <= settled * target_) return;
+        if (light_.correction() > still_settling * before) return;
+        before = light_.correction();
     }
 }
 
@@ -160,7 +180,9 @@ void AccuracySolve::run() {
     aim_.indirect = indirect_share * target_;
     // The noise of a penumbra falls as n^-0.75.
     const double samples = samples_at * std::pow(samples_for / target_, 1.4);
-    aim_.effort = {target_ < 0.005 ? 32 : 16, static_cast<int>(std::clamp(samples, 64.0, 8192.0))};
+    const double first = first_for / target_;
+    aim_.effort = {16 * static_cast<int>(std::clamp(first / 16.0, 1.0, most_first / 16.0)),
+                   static_cast<int>(std::clamp(samples, 64.0, 8192.0))};
     const auto observe_solve = [this](int iteration, double residual) {
         return observe(iteration, residual);
     };
@@ -173,18 +195,13 @@ void AccuracySolve::run() {
             if (gather(1.0)) solution_.status = Status::converged;
         } else {
             if (target_ < one_round) settle();
-            CheckEffort effort;
-            effort.direct = {2 * aim_.effort.first, 2 * aim_.effort.most};
-            double before = std::numeric_limits<double>::infinity();
             for (int round = 0; round < most_rounds && gather(1.0); ++round) {
-                effort.rays = std::clamp(aim_.rays, 256, 4096);
-                measure(effort);
+                measure();
                 if (solution_.error.met()) {
                     solution_.status = Status::converged;
                     break;
                 }
-                if (*solution_.error.estimate > still_settling * before) aim_closer();
-                before = *solution_.error.estimate;
+                aim_closer();
             }
         }
     }

@@ -60,7 +60,7 @@ void check_solution(const SolveStage& stage, const MeshLines& lines) {
     const ReflectedLight light = measure_reflected(scene, solution.mesh, reflected,
                                                    once_arriving(solution.mesh, points, seed));
     const CheckReport checks = check_display(scene, shown, points, field, CheckEffort{}, seed);
-    estimate_error(checks, light, 0.0, solution.error);
+    estimate_error(checks, light, 0.0, sure, solution.error);
 }
 
 }  // namespace patchlight

@@ -65,6 +65,7 @@ MeasuredError measure(const std::vector<double>& products) {
     const double n = static_cast<double>(products.size());
     MeasuredError error;
     if (products.size() < 2) return error;
+    error.points = static_cast<int>(products.size());
     for (const double product : products) error.square += product / n;
     for (const double product : products)
         error.variance += (product - error.square) * (product - error.square) / (n * (n - 1.0));
@@ -141,6 +142,33 @@ struct Checker {
 
 double MeasuredError::at_most(double standard_errors) const {
     return std::sqrt(std::max(0.0, square + standard_errors * std::sqrt(variance)));
+}
+
+namespace {
+
+MeasuredError joined(const MeasuredError& a, const MeasuredError& b) {
+    const int points = a.points + b.points;
+    if (points == 0) return a;
+    const double share = static_cast<double>(a.points) / points;
+    const auto mean = [&](double x, double y) { return share * x + (1.0 - share) * y; };
+    return {mean(a.square, b.square),
+            share * share * a.variance + (1.0 - share) * (1.0 - share) * b.variance,
+            mean(a.mean, b.mean), points};
+}
+
+}  // namespace
+
+CheckReport joined(const CheckReport& a, const CheckReport& b) {
+    CheckReport both{joined(a.direct, b.direct), joined(a.indirect, b.indirect), a.of_object};
+    // An object's part is a sum over direct and indirect points, taken as alike in share.
+    const int points = a.indirect.points + b.indirect.points;
+    const double share = points > 0 ? static_cast<double>(a.indirect.points) / points : 1.0;
+    for (std::size_t o = 0; o < both.of_object.size(); ++o) {
+        CheckReport::OfObject& object = both.of_object[o];
+        object.square = share * object.square + (1.0 - share) * b.of_object[o].square;
+        object.points += b.of_object[o].points;
+    }
+    return both;
 }
 
 double CheckReport::at_most(double standard_errors) const {

@@ -12,6 +12,7 @@ struct MeasuredError {
     double square = 0.0;    // mean of what was measured; noise may bring it below 0 [W²/m²]
     double variance = 0.0;  // of `square`
     double mean = 0.0;      // signed, ∫ Y dA [W]
+    int points = 0;
     /// With so many standard errors on top; never below 0 [W/m].
     double at_most(double standard_errors) const;
 };
@@ -27,6 +28,9 @@ struct CheckReport {
     /// Both together: their causes are independent [W/m].
     double at_most(double standard_errors) const;
 };
+
+/// Of two sets of points that know nothing of each other.
+CheckReport joined(const CheckReport& a, const CheckReport& b);
 
 struct CheckEffort {
     int direct_points = 2048;

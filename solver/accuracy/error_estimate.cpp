@@ -7,7 +7,6 @@ namespace patchlight {
 
 namespace {
 
-constexpr double sure = 2.0;            // standard errors on top of what is measured
 constexpr int fewest_points = 12;       // on an object that is judged by itself
 constexpr double bright_enough = 0.02;  // of the scene's norm, an object that is judged by itself
 
@@ -38,10 +37,10 @@ ReflectedLight measure_reflected(const Scene& scene, const PatchMesh& mesh,
 }
 
 void estimate_error(const CheckReport& checks, const ReflectedLight& light, double coarse,
-                    ErrorReport& error) {
+                    double standard_errors, ErrorReport& error) {
     if (!(light.norm > 0.0)) return;
     const double alike = std::abs(checks.mean()) / std::sqrt(light.area) / light.norm;
-    error.mesh = passed_on * checks.at_most(sure) / light.norm;
+    error.mesh = passed_on * checks.at_most(standard_errors) / light.norm;
     error.form_factors = std::hypot(coarse, (light.bounces - 1.0) * alike);
     error.estimate =
         error.algebraic_bound.value_or(0.0) + std::hypot(*error.form_factors, *error.mesh);

@@ -20,10 +20,12 @@ struct ReflectedLight {
 ReflectedLight measure_reflected(const Scene& scene, const PatchMesh& mesh,
                                  const std::vector<Rgb>& reflected, const std::vector<Rgb>& once);
 
+constexpr double sure = 2.0;  // standard errors on top of what is measured
+
 /// Fills in the estimates from what was measured at check points. `mesh` is the residual there,
-/// with some standard errors on top. What of the residual is alike everywhere, its mean, goes round
+/// with `standard_errors` on top. What of the residual is alike everywhere, its mean, goes round
 /// with the light and adds up: that and `coarse`, an estimate of the caller's, are `form_factors`.
 void estimate_error(const CheckReport& checks, const ReflectedLight& light, double coarse,
-                    ErrorReport& error);
+                    double standard_errors, ErrorReport& error);
 
 }  // namespace patchlight

@@ -3,14 +3,17 @@
 #include "solver/display/patch_slopes.h"
 #include "solver/transport/patch_fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace patchlight {
 
 namespace {
+constexpr double rounding = 1e-9;      // of what is given off, hardly a reflection [1]
+constexpr double left_of_bends = 0.3;  // that triangles miss, beside what gathering may miss [1]
 constexpr double correction_tolerance = 0.1;  // of a correction that is itself small [1]
-}
+}  // namespace
 
 GatheredLight::GatheredLight(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
                              const MeshLines& lines, std::uint64_t seed,
@@ -53,6 +56,16 @@ bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observ
     return coarse_->solve(direct_means_, tolerance, observe);
 }
 
+/// Light that rounding may have made of what is given off [W/m].
+double GatheredLight::hardly_any() const {
+    double sum = 0.0;
+    for (PatchIndex i = 0; i < mesh_.size(); ++i) {
+        const double y = luminance(listed_exitance_[i] + other_exitance_[i]);
+        sum += mesh_.patches[i].area * y * y;
+    }
+    return rounding * std::sqrt(sum);
+}
+
 double GatheredLight::norm() const {
     if (reflects()) return coarse_->norm();
     double sum = 0.0;
@@ -60,7 +73,7 @@ double GatheredLight::norm() const {
         const double y = DisplayPass::least_weight * luminance(direct_means_[i]);
         sum += mesh_.patches[i].area * y * y;
     }
-    return std::sqrt(sum);
+    return std::max(std::sqrt(sum), DisplayPass::least_weight * hardly_any());
 }
 
 /// Means over patches: direct light of those that nothing can shade from the matrix, where it is
@@ -113,13 +126,17 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
         if (by_matrix && !solve_coarse(tolerance, observe)) return false;
         read_coarse();
     }
-    pass_.restart_indirect();
-    if (!pass_.refine_indirect(aim.indirect * norm(), *field_, aim.rays)) return false;
+    if (!aim.keep_indirect) {
+        pass_.restart_indirect();
+        read_means_ = field_means_;
+        if (!pass_.refine_indirect(aim.indirect * norm(), *field_, aim.rays)) return false;
+    }
+    pass_.show_bends(left_of_bends * std::hypot(aim.direct, aim.indirect) * norm());
     const SplitIrradiance gathered = means();
     std::vector<Rgb> change = other_exitance_;
     for (std::size_t i = 0; i < change.size(); ++i)
         change[i] += coarse_->reflectance()[i] * (gathered.direct[i] + gathered.indirect[i]) -
-                     field_means_[i];
+                     read_means_[i];
     correction_ = coarse_->correct(change, correction_tolerance);
     shown_ = pass_.show(correction_.irradiance);
     field_.emplace(scene_, mesh_, rays_, locator_, table_of(*shown_));

@@ -14,7 +14,8 @@ namespace patchlight {
 struct GatherAim {
     double direct = 0.0, indirect = 0.0;  // that interpolation may miss of either, over `norm` [1]
     DirectEffort effort;
-    int rays = 32;  // at a point
+    int rays = 32;               // at a point
+    bool keep_indirect = false;  // as the round before gathered it: only direct light is refined
 };
 
 /// The light of a scene as it is displayed, and the coarse solution behind it. Each round gathers
@@ -36,7 +37,7 @@ class GatheredLight {
     /// What errors are beside: √∫ Y(B - E)² dA, or where nothing is sent back √∫ Y² dA of what
     /// arrives, as the display weighs it [W/m].
     double norm() const;
-    bool reflects() const { return coarse_->norm() > 0.0; }
+    bool reflects() const { return coarse_->norm() > hardly_any(); }
     CheckReport check(const CheckEffort& effort, std::uint64_t seed) const;
     ReflectedLight reflected() const;
     double correction() const { return correction_.size; }  // of the last round, over `norm` [1]
@@ -52,6 +53,7 @@ class GatheredLight {
 
   private:
     void sort_exitance();
+    double hardly_any() const;
     SplitIrradiance means();
     FieldTable table_of(const TreeDisplay& shown) const;
     bool solve_coarse(double tolerance, const CoarseTransport::Observe& observe);
@@ -68,7 +70,8 @@ class GatheredLight {
     std::vector<Rgb> other_exitance_;   // per patch: of the rest, which rays read [W/m²]
     std::optional<CoarseSolution> coarse_;
     std::optional<ReflectedField> field_;
-    std::vector<Rgb> field_means_;   // per patch [W/m²]
+    std::vector<Rgb> field_means_;   // per patch, of what is displayed [W/m²]
+    std::vector<Rgb> read_means_;    // per patch, of what the rays of the last round read [W/m²]
     std::vector<Rgb> direct_means_;  // per patch, straight from sources [W/m²]
     std::vector<Rgb> exact_direct_;  // the same by the matrix; right where nothing can shade
     std::vector<Rgb> irradiance_;

@@ -111,6 +111,54 @@ TEST(Accuracy, SensorsSayHowWrongTheyAre) {
         EXPECT_NEAR(luminance(sensor.irradiance), 2.0, 3.0 * sensor.error + 0.002);
 }
 
+/// Two rooms as two boxes whose floors and ceilings lie in one plane and meet below one wall.
+TEST(Accuracy, NoLightCrossesAWallWithoutThickness) {
+    SceneBuilder builder;
+    const MaterialIndex paint = builder.material(0.6, 0.0), lit = builder.material(0.5, 100.0);
+    builder.box("first", paint, Vec3::Zero(), Vec3(4, 3, 2.5), true);
+    builder.box("second", paint, Vec3(4, 0, 0), Vec3(8, 3, 2.5), true);
+    builder.polygon("lamp", lit, {{1, 2, 2.5}, {3, 2, 2.5}, {3, 1, 2.5}, {1, 1, 2.5}});
+    for (const double accuracy : {0.1, 0.02}) {
+        const Solution solution = solve(builder.scene, to(accuracy));
+        EXPECT_TRUE(solution.error.met());
+        EXPECT_GT(solution.objects[0].irradiance[0], 1.0);
+        EXPECT_EQ(solution.objects[1].max[0], 0.0);
+        EXPECT_EQ(solution.objects[1].irradiance[0], 0.0);
+    }
+}
+
+TEST(Accuracy, NeedlesThatCoverOneAnotherStayFinite) {
+    SceneBuilder builder;
+    const MaterialIndex stone = builder.material(0.6, 0.0), sky = builder.material(0.0, 90.0);
+    builder.polygon("sky", sky, {{-4, 3, -4}, {4, 3, -4}, {4, 3, 4}, {-4, 3, 4}});
+    const double y = 0.510791;
+    builder.polygon(
+        "a", stone,
+        {{0.325043, y, 0.146922}, {0.325042, y, -0.136933}, {0.325043, 0.497996, 0.146922}});
+    builder.polygon("b", stone,
+                    {{0.325043, y, 0.146922}, {0.345973, y, 0.146922}, {0.325042, y, -0.136933}});
+    builder.polygon("c", stone,
+                    {{0.12884, y, -0.327221}, {0.329556, y, -0.126505}, {0.14364, y, -0.342021}});
+    builder.polygon(
+        "d", stone,
+        {{0.329556, y, -0.126505}, {0.12884, y, -0.327221}, {0.329556, 0.497996, -0.126505}});
+    builder.polygon("e", stone,
+                    {{-0.124156, 0.545685, -0.352377},
+                     {-0.152924, 0.545685, -0.343206},
+                     {-0.115046, 0.545685, -0.323801}});
+    const Solution solution = solve(builder.scene, to(0.02));
+    for (const Rgb& radiosity : solution.display.radiosity) EXPECT_TRUE(radiosity.allFinite());
+}
+
+TEST(Accuracy, ALampThatLightsNothingCostsNothing) {
+    SceneBuilder builder;  // tilted: rounding leaves 1e-17 of it on itself
+    builder.polygon("lamp", builder.material(0.0, 1.0),
+                    {{0.2, 0.6, 2.1}, {-0.7, 0.9, 0.5}, {1.2, -0.4, 0.3}});
+    const Solution solution = solve(builder.scene, to(0.01));
+    EXPECT_EQ(solution.status, Status::converged);
+    EXPECT_LT(solution.display.triangles.size(), 5000u);
+}
+
 TEST(Accuracy, AMissedTargetShows) {
     SolveSettings settings = to(0.0005);
     settings.time_limit = 0.3;
