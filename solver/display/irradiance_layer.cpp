@@ -18,6 +18,8 @@ constexpr double decay = 1.0 / 3.0;   // of what is missed, by each cut: 1/4 is 
 constexpr double highest_peak = 6.0;  // that may be missed anywhere, over the root mean square [1]
 constexpr double smallest_peak = 5e-5;  // of all area: smaller ones hardly anybody will meet [1]
 constexpr double beyond_noise = 9.0;    // its mean square: hardly ever chance [1]
+constexpr double by_chance =
+    1.0;  // of the mean noise, that three squares of it often go beyond [1]
 constexpr double mean_square = 0.5;  // of the miss over an element beside that at its middles [1]
 
 }  // namespace
@@ -50,22 +52,22 @@ void IrradianceLayer::grow(const RefinementTree& tree) {
 bool IrradianceLayer::learn(const RefinementTree& tree, std::span<const std::uint32_t> elements,
                             const Gather& gather) {
     grow(tree);
-    std::vector<std::uint32_t> wanted;
+    std::vector<Wanted> wanted;
     for (const std::uint32_t e : elements)
         for (const std::uint32_t v : tree.elements()[e].vertices)
             if (!known_[v]) {
                 known_[v] = true;
-                wanted.push_back(v);
+                wanted.push_back({v, tree.elements()[e].level});
             }
     if (wanted.empty()) return true;
     const std::vector<Gathered> values = gather(wanted);
     const std::size_t got = values.size();
     for (std::size_t k = 0; k < wanted.size(); ++k) {
         if (k < got) {
-            value_[wanted[k]] = values[k].value;
-            variance_[wanted[k]] = values[k].variance;
+            value_[wanted[k].vertex] = values[k].value;
+            variance_[wanted[k].vertex] = values[k].variance;
         } else {
-            known_[wanted[k]] = false;
+            known_[wanted[k].vertex] = false;
         }
     }
     gathered_ += got;
@@ -100,14 +102,16 @@ void IrradianceLayer::add_children(const RefinementTree& tree, std::uint32_t ele
             near = {inside, at_edge[k], at_edge[(k + 3) % 4]};
         else if (k < 3)
             near = {at_edge[k], at_edge[(k + 2) % 3], at_edge[k]};
-        Leaf leaf{child, 0.0, 0.0};
+        Leaf leaf{child, 0.0, 0.0, 0.0};
         for (const Miss& one : near) {
             leaf.miss += (one.square - one.noise) / 3.0;  // sums of it are right: it may be below 0
             leaf.sure += std::max(0.0, one.square - beyond_noise * one.noise) / 3.0;
+            leaf.doubt += by_chance * one.noise / 3.0;
         }
         const double scale = mean_square * decay * decay * tree.elements()[child].area;
         leaf.miss *= scale;
         leaf.sure *= scale;
+        leaf.doubt *= scale;
         leaves.push_back(leaf);
     }
 }
@@ -139,7 +143,7 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
             if (tree.elements()[e].level == 0) roots.push_back(e);
         if (!learn(tree, roots, gather)) return false;
         for (const std::uint32_t e : roots)
-            leaves_.push_back({e, root_miss(tree.elements()[e], of(e)), 0.0});
+            leaves_.push_back({e, root_miss(tree.elements()[e], of(e)), 0.0, 0.0});
     }
     const double budget = rule.target * rule.target;
     double area = 0.0;
@@ -162,7 +166,7 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
             const TreeElement& element = tree.elements()[leaf.element];
             const bool is_peak =
                 element.area > smallest_peak * area && leaf.sure > element.area * peak;
-            const bool misses = leaf.miss > share || is_peak;
+            const bool misses = leaf.miss > std::max(share, leaf.doubt) || is_peak;
             if ((misses && element.level < rule.most_levels) || must_cut(element))
                 marked.push_back(leaf.element);
             else

@@ -20,11 +20,10 @@ class VertexGather {
                  std::function<bool()> go_on);
 
     using Gathered = IrradianceLayer::Gathered;
-    std::vector<Gathered> direct(const RefinementTree& tree,
-                                 std::span<const std::uint32_t> vertices,
+    using Wanted = IrradianceLayer::Wanted;
+    std::vector<Gathered> direct(const RefinementTree& tree, std::span<const Wanted> wanted,
                                  const DirectEffort& effort) const;
-    std::vector<Gathered> indirect(const RefinementTree& tree,
-                                   std::span<const std::uint32_t> vertices,
+    std::vector<Gathered> indirect(const RefinementTree& tree, std::span<const Wanted> wanted,
                                    const ReflectedField& field, int rays) const;
 
     /// A point of patch i, moved a little towards its centre so that no ray starts on the edge of
