@@ -1,12 +1,13 @@
 #include "solver/scene/coplanar.h"
 
+#include "solver/scene/finding_words.h"
 #include "solver/scene/touching_pairs.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace patchlight {
@@ -64,6 +65,20 @@ bool overlap(const Surface& a, const Surface& b, double reach) {
     return area > least_overlap * std::min(a.area, b.area);
 }
 
+Finding overlap_finding(const Scene& scene, const Surface& above, const Surface& below) {
+    const std::string &top = scene.objects[above.object].name,
+                      &bottom = scene.objects[below.object].name;
+    const Surface& smaller = above.area < below.area ? above : below;
+    std::vector<std::string> objects{top};
+    if (bottom != top) objects.push_back(bottom);
+    return {"coplanar-overlap", std::move(objects),
+            (top == bottom ? "a polygon of " + quoted(top) + " lies in the plane of another of it"
+                           : quoted(top) + " lies in the plane of " + quoted(bottom)) +
+                " and, being listed later, covers it near " +
+                place_text(centroid(smaller.corners, smaller.normal), scene_size(scene)),
+            "raise it by more than 1e-6 of the scene's size, or cut the hole it fills", 1};
+}
+
 }  // namespace
 
 std::vector<Vec2> clip_left(const std::vector<Vec2>& polygon, const Vec2& a, const Vec2& b) {
@@ -96,21 +111,18 @@ CoplanarOverlaps find_coplanar_overlaps(const Scene& scene) {
 }
 
 std::vector<Finding> overlap_findings(const Scene& scene, const CoplanarOverlaps& overlaps) {
-    std::set<std::pair<ObjectIndex, ObjectIndex>> seen;
+    std::map<std::pair<ObjectIndex, ObjectIndex>, std::size_t> number_of;
     std::vector<Finding> findings;
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
         for (const SurfaceIndex cover : overlaps.covered_by[s]) {
-            const ObjectIndex below = scene.surfaces[s].object,
-                              above = scene.surfaces[cover].object;
-            if (!seen.insert({above, below}).second) continue;
-            const std::string &top = scene.objects[above].name, &bottom = scene.objects[below].name;
-            findings.push_back(
-                {"coplanar-overlap",
-                 {top, bottom},
-                 "'" + top + "' lies in the plane of '" + bottom +
-                     "' and, being listed later, covers it",
-                 "raise it by more than 1e-6 of the scene's size, or cut the hole it fills",
-                 1});
+            const Surface &below = scene.surfaces[s], &above = scene.surfaces[cover];
+            const auto [known, is_new] =
+                number_of.emplace(std::pair(above.object, below.object), findings.size());
+            if (!is_new) {
+                ++findings[known->second].count;
+                continue;
+            }
+            findings.push_back(overlap_finding(scene, above, below));
         }
     return findings;
 }

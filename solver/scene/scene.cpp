@@ -1,5 +1,6 @@
 #include "solver/scene/scene.h"
 
+#include "solver/scene/finding_words.h"
 #include "solver/scene/input_error.h"
 #include "solver/scene/polygon.h"
 
@@ -104,7 +105,8 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
         note(scene, object,
              {"degenerate-dropped",
               {},
-              "a polygon without area was left out",
+              "a polygon without area was left out near " +
+                  place_text(corners.empty() ? Vec3(Vec3::Zero()) : corners[0], size),
               "remove it, or give it corners that span an area"});
         return;
     }
@@ -126,7 +128,8 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
     note(scene, object,
          {"non-planar",
           {},
-          "a polygon off its plane by more than 1e-6 of its size was cut into triangles",
+          "a polygon off its plane by more than 1e-6 of its size was cut into triangles near " +
+              place_text(centroid(corners, normal), size),
           "give triangles, or corners that lie in one plane"});
     for (const auto& t : triangles)
         add_surface(scene, surface, {corners[t[0]], corners[t[1]], corners[t[2]]});

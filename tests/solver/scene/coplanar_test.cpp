@@ -109,6 +109,8 @@ TEST(OverlapFindings, NameTheCoverFirstAndEachPairOnce) {
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].kind, "coplanar-overlap");
     EXPECT_EQ(findings[0].objects, (std::vector<std::string>{"rugs", "floor"}));
+    EXPECT_EQ(findings[0].count, 2u);
+    EXPECT_NE(findings[0].detail.find("near (0.25, 0.45, 0) m"), std::string::npos);
 }
 
 TEST(ClipLeft, KeepsWhatIsLeftOfTheLine) {

@@ -57,6 +57,7 @@ TEST(AddPolygon, CutsAQuadOffItsPlaneFromCorner0ToCorner2) {
     ASSERT_EQ(scene.findings.size(), 1u);
     EXPECT_EQ(scene.findings[0].kind, "non-planar");
     EXPECT_EQ(scene.findings[0].objects, std::vector<std::string>{"#0"});
+    EXPECT_NE(scene.findings[0].detail.find("near (0.5, 0.5, "), std::string::npos);
 }
 
 TEST(AddPolygon, JudgesUnevennessAgainstThePolygonsOwnSize) {
@@ -101,6 +102,7 @@ TEST(AddPolygon, DropsPolygonsWithoutAreaAndCountsThem) {
     EXPECT_EQ(scene.findings[0].kind, "degenerate-dropped");
     EXPECT_EQ(scene.findings[0].objects, std::vector<std::string>{"crumbs"});
     EXPECT_EQ(scene.findings[0].count, crumbs.size());
+    EXPECT_NE(scene.findings[0].detail.find("near (0, 0, 0) m"), std::string::npos);
 }
 
 TEST(AddPolygon, RefusesLoopsWhoseAreasCancel) {
