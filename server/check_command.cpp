@@ -38,7 +38,7 @@ int CheckCommand::run() const {
                       : "")
               << "\n"
               << "time:      about " << rounded(cost.seconds) << " s on two cores\n"
-              << finding_lines(find_flaws(scene));
+              << finding_lines(find_flaws(scene, job.settings));
     return 0;
 }
 

@@ -1,16 +1,22 @@
 #pragma once
 
+#include "solver/rays/ray_scene.h"
 #include "solver/scene/coplanar.h"
 #include "solver/scene/scene.h"
+#include "solver/settings.h"
 
 #include <vector>
 
 namespace patchlight {
 
-/// What the author of the scene should know, before anything is solved.
-std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps);
+/// What the author of the scene should know, before anything is solved. `planned`: with every
+/// choice made. The scene has surfaces.
+std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
+                                const RayScene& rays, const SolveSettings& planned);
 
-/// The same of its geometry alone: whether there is any light does not matter to form factors.
-std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverlaps& overlaps);
+/// The same of its geometry alone: what surfaces reflect and how it is solved does not matter to
+/// form factors.
+std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
+                                         const RayScene& rays, std::uint64_t seed);
 
 }  // namespace patchlight

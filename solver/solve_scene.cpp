@@ -79,10 +79,10 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     solution.settings = plan.settings;
     solution.why = std::move(plan.why);
     const MeshLines lines = find_mesh_lines(scene);
-    solution.findings = find_flaws(scene, lines.overlaps);
     cut_patches(scene, lines, solution);
-    solution.seconds.mesh = watch.lap();
     const RayScene rays(scene, lines.overlaps);
+    solution.findings = find_flaws(scene, lines.overlaps, rays, solution.settings);
+    solution.seconds.mesh = watch.lap();
     const SolveStage stage{scene, rays, watch, solution};
     if (solution.settings.accuracy) {
         solve_to_accuracy(stage, lines);

@@ -20,7 +20,7 @@ struct CostEstimate {
 CostEstimate estimate_cost(const Scene& scene, const SolveSettings& settings);
 
 /// What the author of the scene should know, before anything is solved.
-std::vector<Finding> find_flaws(const Scene& scene);
+std::vector<Finding> find_flaws(const Scene& scene, const SolveSettings& settings);
 
 /// Solves the radiosity equation B = E + ρ F B of the scene.
 /// Throws InputError if a setting asks for what cannot be done, or if the estimate exceeds

@@ -170,9 +170,9 @@ ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFact
     report.settings = settings_;
     report.settings.method = Method::automatic;
     report.patches = mesh_.size();
-    report.findings = find_geometry_flaws(scene_, lines_.overlaps);
     report.seconds.mesh = mesh_seconds_;
     const RayScene rays(scene_, lines_.overlaps);
+    report.findings = find_geometry_flaws(scene_, lines_.overlaps, rays, settings_.seed);
     const auto engine =
         make_engine(scene_, mesh_, rays, settings_, [&] { return watch.may_prepare(); });
     if (const StopReason stopped = watch.step({Stage::form_factors});

@@ -35,6 +35,7 @@ const Paths plain_types = {"solver/settings.h", "solver/solution.h"};
 const Paths form_factors = rays + plain_types + Paths{"solver/form_factors/"};
 const Paths transport = form_factors + Paths{"solver/transport/"};
 const Paths hierarchy = form_factors + Paths{"solver/hierarchy/", "solver/transport/stop_rule.h"};
+const Paths findings = rays + Paths{"solver/settings.h", "solver/findings/", "unsupported/Eigen/"};
 const Paths below_accuracy = transport + Paths{"solver/hierarchy/"};
 
 const Paths ways_in =
@@ -47,6 +48,7 @@ const std::vector<Door> doors = {
     {"solver/mesh/", mesh},
     {"solver/rays/", rays},
     {"solver/rays/ray_scene.cpp", rays + Paths{"embree3/", "embree4/"}},
+    {"solver/findings/", findings},
     {"solver/form_factors/", form_factors},
     {"solver/form_factors/hemicube",
      form_factors + Paths{"raster/item_buffer.h", "raster/camera.h"}},

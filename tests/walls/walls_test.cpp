@@ -100,6 +100,10 @@ TEST(Walls, LowerRoomsOfTheSolverNeverIncludeHigherOnes) {
     expect_crossing("solver/solution.h", "\"solver/transport/stop_rule.h\"");
     expect_crossing("solver/rays/ray_scene.h", "\"solver/solution.h\"");
     expect_open("solver/transport/residual.cpp", "\"solver/solution.h\"");
+    expect_open("solver/findings/gaps.cpp", "\"solver/rays/ray_scene.h\"");
+    expect_crossing("solver/findings/gaps.cpp", "\"solver/form_factors/form_factor_engine.h\"");
+    expect_crossing("solver/findings/gaps.cpp", "\"solver/solve_plan.h\"");
+    expect_crossing("solver/rays/ray_scene.cpp", "\"solver/findings/gaps.h\"");
 }
 
 TEST(Walls, OnlyTheHemicubeDrawsWithTheItemBuffer) {
