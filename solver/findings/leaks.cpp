@@ -19,31 +19,35 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t most_gaps = 2000;  // that are looked into: the widest
-constexpr std::size_t rays = 32;         // from a gap to either end
-constexpr double fan = 1.0;              // angle of the rays to the straight way through [rad]
-constexpr int flights = 6;               // that light goes on for
-constexpr double blind = 6.0;            // gap widths: shorter flights are those in a slot [1]
-constexpr double mostly = 2.0 / 3.0;     // of the light that ends outside: an end out of the room,
-constexpr double in_the_open = 0.5;      // if so much escapes; else it is a hollow of backs [1]
-constexpr double hardly = 1.0 / 3.0;     // of it, at most: an end within a room
-constexpr double same_room = 0.03;       // of pairs of points that see each other, at least
+constexpr std::size_t most_gaps = 2000;                 // that are looked into: the widest
+constexpr std::size_t first_rays = 24, sure_rays = 96;  // from a gap to either end, at each tilt
+constexpr std::array<double, 3> tilts{0.0, 0.8, -0.8};  // to the way straight through [rad]
+constexpr double fan = 1.0;           // angle of the rays to the straight way through [rad]
+constexpr int flights = 6;            // that light goes on for
+constexpr double blind = 6.0;         // gap widths: shorter flights are those in a slot [1]
+constexpr double mostly = 2.0 / 3.0;  // of the light that ends outside: an end out of the room,
+constexpr double in_the_open = 0.5;   // if so much escapes; else it is a hollow of backs [1]
+constexpr double hardly = 0.2;        // of it, at most: an end within a room
+constexpr std::size_t enough_places = 48;  // on a side, to tell whether it is the same room
+constexpr double same_room = 0.03;         // of pairs of points that see each other, at least
 
 /// What light finds that leaves a gap at one end.
 struct End {
     double escaped = 0.0;              // share of it that ended in the open [1]
     double outside = 0.0;              // or on backs [1]
-    double usual_flight = 0.0;         // median, after the first [ray space]
+    bool is_place = false;             // wide beside the gap, and no slot
     std::vector<Walker> last;          // at fronts
     std::optional<SurfaceIndex> seen;  // the front that most of the first flights met
 };
 
-std::vector<Walker> fan_out(const FlawSearch& search, const Gap& gap, double sign,
-                            std::uint64_t seed) {
-    const Vec3 through = sign * gap.along.cross(gap.across).normalized();
+std::vector<Walker> fan_out(const FlawSearch& search, const Gap& gap, double sign, double tilt,
+                            std::size_t rays, std::uint64_t seed) {
+    const Vec3 through = std::cos(tilt) * sign * gap.along.cross(gap.across).normalized() +
+                         std::sin(tilt) * gap.across;
     std::vector<Walker> walkers(rays);
     for (std::size_t k = 0; k < rays; ++k) {
-        const double u = (static_cast<double>(k) + uniform_of(mix(seed, k))) / rays;
+        const double u =
+            (static_cast<double>(k) + uniform_of(mix(seed, k))) / static_cast<double>(rays);
         const double angle = fan * (2.0 * u - 1.0);
         walkers[k].origin = search.rays.to_ray_space(gap.middle);
         walkers[k].direction =
@@ -53,24 +57,35 @@ std::vector<Walker> fan_out(const FlawSearch& search, const Gap& gap, double sig
     return walkers;
 }
 
-SurfaceIndex most_frequent(std::span<const Walker> walkers) {
+/// The front that most of them landed on.
+std::optional<SurfaceIndex> most_frequent(std::span<const Walker> walkers) {
     std::map<SurfaceIndex, int> counts;
     for (const Walker& walker : walkers)
         if (walker.landing == Landing::front) ++counts[walker.surface];
-    return std::max_element(counts.begin(), counts.end(),
-                            [](const auto& a, const auto& b) { return a.second < b.second; })
-        ->first;
+    const auto most =
+        std::max_element(counts.begin(), counts.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == counts.end() ? std::nullopt : std::optional(most->first);
 }
 
-End look_into(const FlawSearch& search, const Gap& gap, double sign, std::uint64_t seed) {
-    std::vector<Walker> walkers = fan_out(search, gap, sign, seed);
+/// Ways that end right at the gap tell nothing of the place beyond, and are given up.
+void give_up_short_ones(std::vector<Walker>& walkers, double shortest) {
+    std::erase_if(walkers, [&](const Walker& walker) {
+        return walker.landing != Landing::escaped && walker.length() < shortest;
+    });
+}
+
+End look_into(const FlawSearch& search, std::vector<Walker> walkers, double shortest) {
+    const std::size_t sent = walkers.size();
     End end;
     std::vector<float> lengths;
     for (int flight = 0; flight < flights; ++flight) {
         fly(search.rays, walkers);
-        if (flight == 0 && std::any_of(walkers.begin(), walkers.end(),
-                                       [](const Walker& w) { return w.landing == Landing::front; }))
+        if (flight == 0) {
+            give_up_short_ones(walkers, shortest);
+            if (2 * walkers.size() < sent) return end;
             end.seen = most_frequent(walkers);
+        }
         for (const Walker& walker : walkers)
             if (flight > 0 && walker.flying && walker.landing != Landing::escaped)
                 lengths.push_back(walker.length());
@@ -80,21 +95,20 @@ End look_into(const FlawSearch& search, const Gap& gap, double sign, std::uint64
         if (walker.flying)
             end.last.push_back(walker);
         else if (walker.landing == Landing::escaped)
-            end.escaped += 1.0 / rays;
-    end.outside = 1.0 - static_cast<double>(end.last.size()) / rays;
-    if (!lengths.empty()) {
-        const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-        std::nth_element(lengths.begin(), middle, lengths.end());
-        end.usual_flight = static_cast<double>(*middle);
-    }
+            end.escaped += 1.0 / static_cast<double>(walkers.size());
+    end.outside = 1.0 - static_cast<double>(end.last.size()) / static_cast<double>(walkers.size());
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    end.is_place = lengths.empty() || static_cast<double>(*middle) >= shortest;
     return end;
 }
 
 /// The share of pairs of places, one from each end, that see each other.
-double seen_share(const FlawSearch& search, const End& one, const End& other) {
+double seen_share(const FlawSearch& search, std::span<const Walker> one,
+                  std::span<const Walker> other) {
     double seen = 0.0, pairs = 0.0;
-    for (const Walker& a : one.last)
-        for (const Walker& b : other.last) {
+    for (const Walker& a : one)
+        for (const Walker& b : other) {
             const RayPoint way = b.origin - a.origin;
             pairs += 1.0;
             if (way.dot(search.scene.surfaces[a.surface].normal.cast<float>()) <= 0.0f ||
@@ -109,20 +123,51 @@ double seen_share(const FlawSearch& search, const End& one, const End& other) {
     return pairs > 0.0 ? seen / pairs : 0.0;
 }
 
-std::optional<Leak> leak_at(const FlawSearch& search, const Gap& gap, std::uint64_t seed) {
-    const std::array<End, 2> ends{look_into(search, gap, 1.0, seed),
-                                  look_into(search, gap, -1.0, seed)};
+bool is_within(const End& end) { return end.is_place && end.seen && end.outside <= hardly; }
+
+bool leads_out(const End& end) {
+    return end.is_place && end.outside >= mostly && end.escaped >= in_the_open;
+}
+
+/// What is seen through a gap on either side of it, at each tilt.
+struct Views {
+    std::array<std::array<End, tilts.size()>, 2> sides;
+
+    /// Of light that went on within a room on one side.
+    std::vector<Walker> last_within(std::size_t side) const {
+        std::vector<Walker> all;
+        for (const End& end : sides[side])
+            if (is_within(end))
+                for (const Walker& walker : end.last)
+                    if (all.size() < enough_places) all.push_back(walker);
+        return all;
+    }
+};
+
+Views look_through(const FlawSearch& search, const Gap& gap, std::size_t rays, std::uint64_t seed) {
     const double shortest = blind * gap.width * search.rays.scale();
-    for (const End& end : ends)
-        if (!end.last.empty() && end.usual_flight < shortest) return std::nullopt;
-    const std::size_t inner = ends[0].outside <= ends[1].outside ? 0 : 1;
-    const End &within = ends[inner], &beyond = ends[1 - inner];
-    if (within.outside > hardly || !within.seen) return std::nullopt;
-    if (beyond.outside >= mostly && beyond.escaped >= in_the_open)
-        return Leak{gap, true, *within.seen};
-    if (beyond.outside > hardly || seen_share(search, within, beyond) >= same_room)
+    Views views;
+    for (const std::size_t side : {0u, 1u})
+        for (std::size_t k = 0; k < tilts.size(); ++k)
+            views.sides[side][k] = look_into(search,
+                                             fan_out(search, gap, side == 0 ? 1.0 : -1.0, tilts[k],
+                                                     rays, mix(seed, 2 * k + side)),
+                                             shortest);
+    return views;
+}
+
+std::optional<Leak> leak_at(const FlawSearch& search, const Gap& gap, std::size_t rays,
+                            std::uint64_t seed) {
+    const Views views = look_through(search, gap, rays, seed);
+    for (const std::size_t inner : {0u, 1u})
+        for (const End& end : views.sides[inner])
+            if (is_within(end) && std::any_of(views.sides[1 - inner].begin(),
+                                              views.sides[1 - inner].end(), leads_out))
+                return Leak{gap, true, *end.seen};
+    const std::vector<Walker> one = views.last_within(0), other = views.last_within(1);
+    if (one.empty() || other.empty() || seen_share(search, one, other) >= same_room)
         return std::nullopt;
-    return Leak{gap, false, *within.seen};
+    return Leak{gap, false, one.front().surface};
 }
 
 std::vector<std::string> names_of(const FlawSearch& search, const Gap& gap) {
@@ -140,7 +185,9 @@ std::vector<Leak> find_leaks(const FlawSearch& search, std::span<const Gap> gaps
     if (widest.size() > most_gaps) widest.resize(most_gaps);
     std::vector<std::optional<Leak>> found(widest.size());
     tbb::parallel_for(std::size_t{0}, widest.size(), [&](std::size_t k) {
-        found[k] = leak_at(search, widest[k], mix(search.seed, widest[k].edge));
+        const std::uint64_t seed = mix(search.seed, widest[k].edge);
+        if (leak_at(search, widest[k], first_rays, seed))
+            found[k] = leak_at(search, widest[k], sure_rays, mix(seed, sure_rays));
     });
     std::vector<Leak> leaks;
     for (const auto& leak : found)

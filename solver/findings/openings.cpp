@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t walks = 8'192;
 constexpr int flights = 4;
-constexpr double open_share = 0.05;  // of flights that escape: an open scene [1]
+constexpr double open_share = 0.03;  // of flights that escape: an open scene [1]
 constexpr std::size_t fewest = 12;   // escapes that are no accident
 constexpr double slit_reach = 3.0;   // gap widths: what passes an edge nearer got out beside it [1]
 constexpr std::size_t names_at_most = 3;

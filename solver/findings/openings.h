@@ -13,8 +13,8 @@ struct Slit {
     double width = 0.0;  // [m]
 };
 
-/// "open-enclosure": of the light that lamps sent on its way, some escapes, but less than a
-/// twentieth at each flight: a room with a hole, such as a wall panel that was forgotten, and no
+/// "open-enclosure": of the light that lamps sent on its way, some escapes, but less than
+/// 3 % at each flight: a room with a hole, such as a wall panel that was forgotten, and no
 /// open scene. What escapes through gaps that are told of already does not count.
 std::vector<Finding> find_openings(const FlawSearch& search, std::span<const Slit> slits);
 

@@ -27,6 +27,19 @@ TEST(LightLeak, IsToldWhereAWallEndsAboveTheFloor) {
     }
 }
 
+TEST(LightLeak, IsToldWhereAWallStandsOffAllOthers) {
+    for (const double off : {1e-4, 1e-2}) {
+        Scene scene = lit_room("east");
+        add_named(scene, "east", rectangle((4.0 + off) * x, 2.5 * z, 3.0 * y));
+        const std::vector<Finding> findings = told(scene);
+        EXPECT_EQ(kinds(findings), "light-leak light-leak light-leak light-leak ");
+        for (const Finding& finding : findings) {
+            EXPECT_TRUE(finding.objects[0] == "east" || finding.objects[1] == "east");
+            EXPECT_NEAR(place_of(finding).x(), 4.0, 1.5 * off) << finding.detail;
+        }
+    }
+}
+
 TEST(LightLeak, IsNoneWithinTheContactDistance) {
     const double touching = 2e-6;  // the room is 5.6 m from corner to corner
     expect_nothing_told(room_with_gap(touching));
