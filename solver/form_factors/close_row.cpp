@@ -19,9 +19,14 @@ struct Share {
     double most;
 };
 
-/// Variance of a share that `rays` told: none if no ray said so, lest a closed room lose light.
-double variance_of(double share, std::uint64_t rays) {
-    return share * (1.0 - share) / static_cast<double>(rays);
+/// Variance of a share that `rays` told: none if no ray said so, lest a closed room lose light; if
+/// all said so though the row sums to something, that of what the row says.
+double variance_of(double share, double row_sum, std::uint64_t rays) {
+    constexpr double half_a_ray = 0.5;  // short of all is rounding [rays]
+    const double n = static_cast<double>(rays);
+    const bool all = (1.0 - share) * n < half_a_ray;
+    const double rest = all ? std::min(row_sum, 1.0) : 1.0 - share;
+    return (1.0 - rest) * rest / n;
 }
 
 /// Spreads `deficit` by variance; what an entry cannot take goes to the others. What is left.
@@ -61,8 +66,8 @@ Outside close_row(const FormFactorEngine& engine, PatchIndex i, FactorRow& row) 
         if (row.variance[k] > 0.0)
             shares.push_back({&row.factors[k], row.variance[k], row.ceiling[k]});
     if (outside.rays > 0) {
-        shares.push_back({&outside.backs, variance_of(outside.backs, outside.rays), 1.0});
-        shares.push_back({&outside.escaped, variance_of(outside.escaped, outside.rays), 1.0});
+        for (double* share : {&outside.backs, &outside.escaped})
+            shares.push_back({share, variance_of(*share, sum, outside.rays), 1.0});
     }
     const double left = spread(shares, 1.0 - sum - outside.backs - outside.escaped);
     // Exact entries, and less light outside than rays tell: it is there all the same.

@@ -108,7 +108,7 @@ ExchangeMatrix build_exchange(const FormFactorEngine& engine, const Scene& scene
                  std::abs(1.0 - sums[i]) > exact_closure)  // else: no ray where nothing blocks
             outside[i] = engine.outside(static_cast<PatchIndex>(i));
     });
-    set_outside(matrix, outside, make_clusters(scene, mesh, find_plane_groups(scene)));
+    set_outside(matrix, outside, make_clusters(scene, mesh, find_plane_groups(scene)), sums);
     for (std::size_t i = 0; i < mesh.size(); ++i)
         if (!known[i]) matrix.rays += outside[i].rays;
     if (engine.pairwise()) matrix.measured = measure_closure(matrix);

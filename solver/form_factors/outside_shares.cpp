@@ -39,9 +39,12 @@ std::vector<Prior> cluster_priors(const std::vector<double>& shares,
     return priors;
 }
 
+constexpr double half_a_ray = 0.5;  // short of all is rounding [rays]
+
 std::vector<double> share_variances(const std::vector<double>& shares,
                                     const std::vector<Outside>& outside,
-                                    const PatchClusters& clusters) {
+                                    const PatchClusters& clusters,
+                                    const std::vector<double>& row_sums) {
     const std::vector<Prior> priors = cluster_priors(shares, outside, clusters);
     std::vector<double> variances(shares.size(), 0.0);
     for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -49,7 +52,9 @@ std::vector<double> share_variances(const std::vector<double>& shares,
         const double n = static_cast<double>(outside[i].rays);
         const Prior& prior = priors[clusters.of_patch[i]];
         const double p = (n * shares[i] + prior.strength * prior.mean) / (n + prior.strength);
-        variances[i] = p * (1.0 - p) / n;
+        const bool all = (1.0 - p) * n < half_a_ray;
+        const double rest = all ? std::min(row_sums[i], 1.0) : 1.0 - p;
+        variances[i] = (1.0 - rest) * rest / n;
     }
     return variances;
 }
@@ -57,13 +62,13 @@ std::vector<double> share_variances(const std::vector<double>& shares,
 }  // namespace
 
 void set_outside(ExchangeMatrix& matrix, const std::vector<Outside>& outside,
-                 const PatchClusters& clusters) {
+                 const PatchClusters& clusters, const std::vector<double>& row_sums) {
     for (const Outside& o : outside) {
         matrix.backs.push_back(o.backs);
         matrix.escaped.push_back(o.escaped);
     }
-    matrix.backs_variance = share_variances(matrix.backs, outside, clusters);
-    matrix.escaped_variance = share_variances(matrix.escaped, outside, clusters);
+    matrix.backs_variance = share_variances(matrix.backs, outside, clusters, row_sums);
+    matrix.escaped_variance = share_variances(matrix.escaped, outside, clusters, row_sums);
 }
 
 }  // namespace patchlight

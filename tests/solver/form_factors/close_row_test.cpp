@@ -62,6 +62,15 @@ TEST(CloseRow, SharesASurplusWithTheLightOutside) {
     EXPECT_LT(outside.escaped, 0.27);
 }
 
+TEST(CloseRow, KeepsASmallEntryThoughAllRaysEscaped) {
+    const double factor = 1e-4, variance = 1e-10;
+    FactorRow row = row_with({{factor, variance}});
+    row.outside = Outside{0.0, 1.0, 1000};
+    const Outside outside = close_row(OutsideOnly({}), 0, row);
+    EXPECT_NEAR(closure(row, outside), 1.0, rounding);
+    EXPECT_NEAR(row.factors[0], factor, 0.01 * factor);
+}
+
 TEST(CloseRow, NeverRisesAboveACeilingNorFallsBelowNothing) {
     FactorRow row = row_with({{0.1, 9e-3, 0.12}, {0.3, 1e-3}, {0.3, 1e-3, 0.31}});
     row.outside = Outside{0.0, 0.0, 100};

@@ -1,6 +1,7 @@
 #include "solver/form_factors/exchange_matrix.h"
 
 #include "solver/form_factors/ray_cast_engine.h"
+#include "solver/form_factors/repair_closure.h"
 #include "tests/solver/form_factors/engine_scene.h"
 
 #include <gtest/gtest.h>
@@ -91,6 +92,23 @@ TEST(BuildExchange, JoinsCountedRowsIntoOneSymmetricMatrix) {
             EXPECT_GT(matrix.variance[k], 0.0f);
         }
     EXPECT_EQ(measure_closure(matrix).reciprocity_max, 0.0);
+}
+
+TEST(BuildExchange, RepairKeepsAPairThatOnlyItsSmallEndSaw) {
+    // The large square sends one ray in 8000 to the small one: all of its 1024 escape.
+    const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
+    const CutScene squares = cut(
+        scene_of({rectangle(Vec3::Zero(), x, y), rectangle(Vec3(0.5, 0.5, 5), 0.1 * y, 0.1 * x)}),
+        9.0);
+    const RayScene rays(squares.scene, squares.lines.overlaps);
+    ExchangeMatrix matrix =
+        exchange_of(RayCastEngine(squares.scene, squares.mesh, rays, 1024, 1), squares);
+    ASSERT_EQ(matrix.escaped[0], 1.0);
+    const double before = entry(matrix, 0, 1);
+    ASSERT_GT(before, 0.0);
+    repair_closure(matrix);
+    EXPECT_NEAR(entry(matrix, 0, 1), before, 0.1 * before);
+    EXPECT_NEAR(measure_closure(matrix).closure_max, 0.0, rounding);
 }
 
 }  // namespace

@@ -10,13 +10,13 @@ namespace {
 constexpr std::uint64_t rays = 100;
 
 /// Shares and their variances of patches of one cluster.
-ExchangeMatrix told(const std::vector<Outside>& outside) {
+ExchangeMatrix told(const std::vector<Outside>& outside, double row_sum = 0.0) {
     ExchangeMatrix matrix = empty_matrix(std::vector<double>(outside.size(), 1.0));
     matrix.backs.clear(), matrix.escaped.clear();
     PatchClusters clusters;
     clusters.of_patch.assign(outside.size(), 0);
     clusters.group = {0};
-    set_outside(matrix, outside, clusters);
+    set_outside(matrix, outside, clusters, std::vector<double>(outside.size(), row_sum));
     return matrix;
 }
 
@@ -50,6 +50,14 @@ TEST(SetOutside, PatchesThatAreAllOrNothingStandAlone) {
     const ExchangeMatrix matrix =
         told({{1.0, 0.0, rays}, {1.0, 0.0, rays}, {0.0, 0.0, rays}, {0.0, 0.0, rays}});
     for (const double variance : matrix.backs_variance) EXPECT_NEAR(variance, 0.0, 1e-12);
+}
+
+TEST(SetOutside, APatchThatAnotherSeesIsNotCertainToLoseAllItsLight) {
+    const double seen = 1e-3;
+    const ExchangeMatrix matrix = told({{0.0, 1.0, rays}}, seen);
+    EXPECT_NEAR(matrix.escaped_variance[0], seen * (1.0 - seen) / static_cast<double>(rays), 1e-12);
+    EXPECT_EQ(matrix.backs_variance[0], 0.0);
+    EXPECT_EQ(told({{0.0, 1.0, rays}}).escaped_variance[0], 0.0);
 }
 
 TEST(SetOutside, OfOneShareAloneTheVarianceIsBinomial) {
