@@ -59,6 +59,7 @@ void check_solution(const SolveStage& stage, const MeshLines& lines) {
     for (std::size_t i = 0; i < reflected.size(); ++i) reflected[i] -= exitance[i];
     const ReflectedLight light = measure_reflected(scene, solution.mesh, reflected,
                                                    once_arriving(solution.mesh, points, seed));
+    if (!(light.norm > 0.0)) return;  // nothing is sent back, so nothing can be wrong
     const CheckReport checks = check_display(scene, shown, points, field, CheckEffort{}, seed);
     estimate_error(checks, light, 0.0, sure, solution.error);
 }
