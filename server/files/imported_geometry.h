@@ -16,7 +16,8 @@ struct FileMaterial {
     std::optional<Rgb> reflectance;  // may reach or pass 1 [1]
     Rgb radiance = Rgb::Zero();      // in the unit of light of the scene that uses it
     bool two_sided = false;
-    bool has_texture = false;     // left out: its plain colour counts
+    bool has_texture = false;  // left out: its plain colour counts
+    bool has_reflectance_texture = false;
     bool is_transparent = false;  // left out: it is opaque
 };
 

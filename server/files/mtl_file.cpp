@@ -29,6 +29,7 @@ void read_property(const std::string& key, TextLines& lines, FileMaterial& mater
     if (key == "Kd") material.reflectance = read_colour(lines);
     if (key == "Ke") material.radiance = read_colour(lines);
     if (key == "map_Kd" || key == "map_Ke") material.has_texture = true;
+    if (key == "map_Kd") material.has_reflectance_texture = true;
     if (key == "d") material.is_transparent = read_transparency(lines);
 }
 
@@ -49,6 +50,11 @@ std::vector<FileMaterial> read_mtl(std::string_view text, const std::string& fil
             lines.reject("'" + key + "' stands before any 'newmtl'");
         }
     }
+    // Where a texture paints, Kd 0 is what exporters write for "see the texture", not black.
+    for (FileMaterial& material : materials)
+        if (material.has_reflectance_texture && material.reflectance &&
+            (*material.reflectance == 0.0).all())
+            material.reflectance.reset();
     return materials;
 }
 

@@ -145,6 +145,19 @@ TEST(ObjFile, MaterialsComeFromMtlFiles) {
     EXPECT_EQ(painted.parts[0].faces.back().material, 1u);
 }
 
+TEST(ObjFile, KdOfZeroIsBlackUnlessATexturePaints) {
+    write_test_file("k.mtl",
+                    "newmtl black\nKd 0 0 0\nnewmtl carpet\nmap_Kd c.png\nKd 0 0 0\n"
+                    "newmtl glow\nKd 0\nmap_Ke g.png\n");
+    const ImportedGeometry painted =
+        read("mtllib k.mtl\n" + square +
+             "usemtl black\nf 1 2 3\nusemtl carpet\nf 1 2 3\nusemtl glow\nf 1 2 3\n");
+    ASSERT_EQ(painted.materials.size(), 3u);
+    EXPECT_TRUE((painted.materials[0].reflectance.value() == 0.0).all());
+    EXPECT_FALSE(painted.materials[1].reflectance);
+    EXPECT_TRUE((painted.materials[2].reflectance.value() == 0.0).all());
+}
+
 TEST(ObjFile, AnMtlFileIsFoundBesideTheObjWhateverFolderIsNamed) {
     write_test_file("b c.mtl", "newmtl m\nKd 0.3 0.3 0.3\n");
     for (const char* name :
