@@ -43,6 +43,18 @@ DisplayMesh display_of(const SolveStage& stage, const DisplayHints& hints) {
 
 namespace {
 
+/// Light that no surface absorbs never dies out, and there is no solution.
+void refuse_impossible(const std::vector<Material>& materials) {
+    for (const Material& material : materials) {
+        if (!((material.reflectance >= 0.0) && (material.reflectance < 1.0)).all())
+            throw InputError("/materials",
+                             "reflectance must be from 0 to below 1, or light never "
+                             "dies out (near-singular)");
+        if (!((material.exitance >= 0.0) && material.exitance.isFinite()).all())
+            throw InputError("/materials", "exitance must be a finite number, at least 0");
+    }
+}
+
 void cut_patches(const Scene& scene, const MeshLines& lines, Solution& solution) {
     const SolveSettings& settings = solution.settings;
     check_memory(scene, estimate_patch_count(scene, *settings.patch_size), settings);
@@ -71,6 +83,7 @@ void gather(const SolveStage& stage) {
 Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe) {
     if (scene.surfaces.empty())
         throw InputError("/objects", "nothing with an area is left to solve");
+    refuse_impossible(scene.materials);
     SolvePlan plan = plan_solve(scene, settings);
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(plan.settings.threads));

@@ -23,8 +23,9 @@ CostEstimate estimate_cost(const Scene& scene, const SolveSettings& settings);
 std::vector<Finding> find_flaws(const Scene& scene, const SolveSettings& settings);
 
 /// Solves the radiosity equation B = E + ρ F B of the scene.
-/// Throws InputError if a setting asks for what cannot be done, or if the estimate exceeds
-/// `memory_limit` (the message carries both numbers). Reaching a limit, or the observer's `stop`,
+/// Throws InputError if a setting asks for what cannot be done, if a reflectance is not in [0, 1)
+/// or an exitance not finite, or if the estimate exceeds `memory_limit` (the message carries both
+/// numbers). Reaching a limit, or the observer's `stop`,
 /// is told by `status`, with the solution so far.
 Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe);
 
