@@ -84,8 +84,7 @@ DisplayHints solve_by_shooting(const SolveStage& stage) {
     solution.status = status_of(report.stopped_by);
     solution.form_factors.rays = rows.rays();
     solution.form_factors.measured = rows.closure();
-    solution.form_factors.repaired = rows.closure();
-    solution.form_factors.repaired.closure_max = 0.0;
+    solution.form_factors.repaired = rows.closed();
     solution.seconds.solve = stage.watch.lap();
     if (solution.settings.engine == Engine::hemicube && solution.status == Status::converged)
         solution.form_factors.hemicube = estimate_hemicube_errors(

@@ -51,6 +51,9 @@ double spread(std::vector<Share>& shares, double deficit) {
 }  // namespace
 
 Outside close_row(const FormFactorEngine& engine, PatchIndex i, FactorRow& row) {
+    // A count may give a tiny patch more than reciprocity lets it have.
+    for (std::size_t k = 0; k < row.factors.size(); ++k)
+        if (row.variance[k] > 0.0) row.factors[k] = std::min(row.factors[k], row.ceiling[k]);
     const double sum = std::accumulate(row.factors.begin(), row.factors.end(), 0.0);
     const bool uncertain = std::any_of(row.variance.begin(), row.variance.end(),
                                        [](double variance) { return variance > 0.0; });

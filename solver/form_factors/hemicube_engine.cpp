@@ -184,7 +184,9 @@ void HemicubeEngine::row(PatchIndex i, FactorRow& row) const {
         tally.backs, tally.escaped,
         static_cast<std::uint64_t>(cells_for(k).count()) * static_cast<std::uint64_t>(k * k)};
     for (PatchIndex j = 0; j < mesh_.size(); ++j)
-        if (tally.cells[j] > 0) row.add(j, tally.share[j], variance(i, j, k, tally), 1.0);
+        if (tally.cells[j] > 0)
+            row.add(j, tally.share[j], variance(i, j, k, tally),
+                    std::min(1.0, mesh_.patches[j].area / mesh_.patches[i].area));
 }
 
 Outside HemicubeEngine::outside(PatchIndex i) const {

@@ -1,5 +1,7 @@
 #include "solver/form_factors/ray_cast_engine.h"
 
+#include <algorithm>
+
 namespace patchlight {
 
 RayCastEngine::RayCastEngine(const Scene& scene, const PatchMesh& mesh, const RayScene& ray_scene,
@@ -50,7 +52,8 @@ void RayCastEngine::row(PatchIndex i, FactorRow& row) const {
     for (PatchIndex j = 0; j < mesh_.size(); ++j) {
         if (tally.hits[j] == 0) continue;
         const double factor = tally.hits[j] / n;
-        row.add(j, factor, factor * (1.0 - factor) / n, 1.0);
+        const double most = std::min(1.0, mesh_.patches[j].area / mesh_.patches[i].area);
+        row.add(j, factor, factor * (1.0 - factor) / n, most);
     }
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace patchlight {
@@ -17,6 +16,7 @@ struct Made {
     ClosedRow row;
     std::uint64_t rays = 0;
     double sum = 0.0, defect = 0.0;  // of the row as the engine gave it
+    double closed_sum = 0.0;         // as it is used
 };
 
 Made make_row(const FormFactorEngine& engine, PatchIndex i) {
@@ -29,6 +29,7 @@ Made make_row(const FormFactorEngine& engine, PatchIndex i) {
     made.row.outside = close_row(engine, i, row);
     const Outside& away = told ? before : made.row.outside;
     made.defect = std::abs(made.sum + away.backs + away.escaped - 1.0);
+    made.closed_sum = std::accumulate(row.factors.begin(), row.factors.end(), 0.0);
     made.rays = row.rays + (told ? 0 : made.row.outside.rays);
     made.row.columns = std::move(row.columns);
     made.row.factors.assign(row.factors.begin(), row.factors.end());
@@ -43,18 +44,17 @@ std::size_t size_of(const ClosedRow& row) {
 }  // namespace
 
 RowSource::RowSource(const FormFactorEngine& engine, std::size_t patches, std::size_t bytes)
-    : engine_(engine), budget_(bytes), kept_(patches), seen_(patches, false) {
-    report_.row_sum_min = std::numeric_limits<double>::infinity();
+    : engine_(engine), budget_(bytes), kept_(patches), seen_(patches, false) {}
+
+void RowSource::Sums::note(double sum) {
+    total += sum;
+    least = std::min(least, sum);
+    most = std::max(most, sum);
 }
 
-void RowSource::note(PatchIndex i, double sum, double defect) {
-    if (seen_[i]) return;
-    seen_[i] = true;
-    ++seen_count_;
-    sum_of_sums_ += sum;
-    report_.row_sum_min = std::min(report_.row_sum_min, sum);
-    report_.row_sum_max = std::max(report_.row_sum_max, sum);
-    report_.closure_max = std::max(report_.closure_max, defect);
+ClosureReport RowSource::report(const Sums& sums) const {
+    if (seen_count_ == 0) return {};
+    return {sums.least, sums.most, sums.total / static_cast<double>(seen_count_), 0.0, 0.0};
 }
 
 std::vector<const ClosedRow*> RowSource::fetch(std::span<const PatchIndex> patches) {
@@ -70,7 +70,13 @@ std::vector<const ClosedRow*> RowSource::fetch(std::span<const PatchIndex> patch
         if (!kept) {
             ++computed_;
             rays_ += made[k].rays;
-            note(patches[k], made[k].sum, made[k].defect);
+            if (!seen_[patches[k]]) {
+                seen_[patches[k]] = true;
+                ++seen_count_;
+                given_.note(made[k].sum);
+                closed_.note(made[k].closed_sum);
+                worst_defect_ = std::max(worst_defect_, made[k].defect);
+            }
             const std::size_t size = size_of(made[k].row);
             if (kept_bytes_ + size > budget_) {
                 passing_.push_back(std::move(made[k].row));
@@ -86,10 +92,9 @@ std::vector<const ClosedRow*> RowSource::fetch(std::span<const PatchIndex> patch
 }
 
 ClosureReport RowSource::closure() const {
-    ClosureReport report = report_;
-    if (seen_count_ == 0) return {};
-    report.row_sum_mean = sum_of_sums_ / static_cast<double>(seen_count_);
-    return report;
+    ClosureReport as_given = report(given_);
+    as_given.closure_max = worst_defect_;
+    return as_given;
 }
 
 }  // namespace patchlight

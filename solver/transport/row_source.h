@@ -3,6 +3,7 @@
 #include "solver/form_factors/form_factor_engine.h"
 #include "solver/solution.h"
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -33,9 +34,15 @@ class RowSource {
     std::size_t bytes() const { return kept_bytes_; }   // held at present
     /// Defects of all rows seen so far, before they were closed; their mean is not area-weighted.
     ClosureReport closure() const;
+    /// The same of the rows as they are used: closed.
+    ClosureReport closed() const { return report(closed_); }
 
   private:
-    void note(PatchIndex i, double sum, double defect);
+    struct Sums {
+        double total = 0.0, least = std::numeric_limits<double>::infinity(), most = 0.0;
+        void note(double sum);
+    };
+    ClosureReport report(const Sums& sums) const;
 
     const FormFactorEngine& engine_;
     std::size_t budget_, kept_bytes_ = 0, computed_ = 0, seen_count_ = 0;
@@ -43,8 +50,8 @@ class RowSource {
     std::vector<std::unique_ptr<ClosedRow>> kept_;  // per patch; empty if not kept
     std::vector<ClosedRow> passing_;                // of the last call
     std::vector<bool> seen_;
-    ClosureReport report_;
-    double sum_of_sums_ = 0.0;
+    Sums given_, closed_;  // of rows as the engine gave them, and as they are used
+    double worst_defect_ = 0.0;
 };
 
 }  // namespace patchlight

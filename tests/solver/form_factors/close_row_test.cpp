@@ -71,6 +71,16 @@ TEST(CloseRow, KeepsASmallEntryThoughAllRaysEscaped) {
     EXPECT_NEAR(row.factors[0], factor, 0.01 * factor);
 }
 
+TEST(CloseRow, GivesATinyPatchNoMoreThanItCanHave) {
+    // One ray of a hundred met a patch that 1e-4 of the light fills.
+    FactorRow row = row_with({{0.01, 1e-4, 1e-4}, {0.5, 2.5e-3}, {0.49, 2.5e-3}});
+    row.outside = Outside{0.0, 0.0, 100};
+    const Outside outside = close_row(OutsideOnly({}), 0, row);
+    EXPECT_NEAR(closure(row, outside), 1.0, rounding);
+    EXPECT_NEAR(row.factors[0], 1e-4, rounding);
+    EXPECT_GT(row.factors[1], 0.5);
+}
+
 TEST(CloseRow, NeverRisesAboveACeilingNorFallsBelowNothing) {
     FactorRow row = row_with({{0.1, 9e-3, 0.12}, {0.3, 1e-3}, {0.3, 1e-3, 0.31}});
     row.outside = Outside{0.0, 0.0, 100};
