@@ -1,0 +1,61 @@
+#include "tests/stability/catalogue.h"
+
+namespace patchlight::stability {
+
+const std::vector<FailureMode>& catalogue() {
+    static const std::vector<FailureMode> modes{
+        {"A1", "proximity: unit squares 1 to 0.1 apart and edge to edge, a patch each"},
+        {"A2", "aliasing: a 0.1 square, 5 away from a unit square, as lamp and as receiver"},
+        {"A3", "aligned luck: how much worse a turned pair of squares is than an aligned one"},
+        {"A4", "visibility: an opaque half-plane between facing squares, a patch each"},
+        {"A5", "delta factors of a hemicube do not sum to 1"},
+        {"A6", "a wrong delta formula: half-spaces and corners"},
+        {"A7", "row sums above 1, more light with a blocker than without"},
+        {"A8", "a repair breaks reciprocity: light there and back, half blocked"},
+        {"A9", "singular edge: a strip 1/16 wide beside a wall"},
+        {"A10", "gaps of 1e-2, 1e-3 and 1e-5 between unit squares"},
+        {"A11", "a sliver 1e-4 wide and a needle in a furnace"},
+        {"A12", "a 1e-3 square 100 away, as lamp and as receiver"},
+        {"A13", "horizon: a receiver half behind the lamp"},
+        {"A14", "coplanar and back-facing pairs must be exactly 0"},
+        {"A15", "concave and warped polygons in a furnace"},
+        {"A16", "a near plane at 1e-3 of the scene hides what is nearer"},
+        {"B1", "reflectance 1 in a closed room: singular"},
+        {"B2", "row sums above 1 with reflectance near 1: a furnace on few rays"},
+        {"B3", "slow convergence: true error over what is claimed, reflectance 0.999"},
+        {"B4", "light of 1e-6 and 1e6: the same relative answer"},
+        {"B5", "light lost or made beside tiny patches: energy balance"},
+        {"B6", "F_ji > 1: more light on a tiny patch than there is"},
+        {"B7", "ambient term too bright in an open room"},
+        {"B8", "ambient term where reflectance comes to 1"},
+        {"B9", "patches of unequal areas: flux of objects, patches and pictures"},
+        {"B10", "channels that converge at different pace: reflectance 0.999, 0.5, 0"},
+        {"B11", "black room with a black lamp: no division by reflectance"},
+        {"B12", "a flat surface that sees itself"},
+        {"C1", "light leaks: shared walls 0 and 1e-6 thick, overlapping by 1e-3, T-junctions"},
+        {"C2", "shadow leaks on the floor round a standing box"},
+        {"C3", "the Cornell box scaled 1e-4 to 1e6, moved, turned"},
+        {"C4", "a lamp in the plane of the ceiling"},
+        {"C5", "an inverted wall: energy balance shows it"},
+        {"C6", "an open box: light that escapes is accounted for"},
+        {"C7", "triangles without area, duplicate vertices"},
+        {"C8", "NaN, Inf and absurd numbers in files"},
+        {"C9", "negative, double and missing indices, unknown keys, missing MTL"},
+        {"C10", "Kd 0 and textures"},
+        {"C11", "no lamp at all is told"},
+        {"C12", "more patches than memory holds"},
+        {"C13", "thin slab: two coincident quads back to back, one side lit"},
+        {"C14", "rays that hit edges and vertices: light escapes a closed gridded cube"},
+        {"D1", "T-junctions: largest jump of the picture between coplanar quads"},
+        {"D2", "Mach bands: worst error in a penumbra, of the unshadowed light"},
+        {"D3", "interpolation across the foot of a wall"},
+        {"D4", "negative light and overshoot at vertices"},
+        {"D5", "vertices on a crease averaged over different planes"},
+        {"D6", "a lamp narrower than patches keeps its area"},
+        {"D7", "gaps and overlaps of neighbouring triangles in pictures"},
+        {"D8", "lamps of 1000 beside walls of 1e-3 in a picture"},
+    };
+    return modes;
+}
+
+}  // namespace patchlight::stability
