@@ -8,6 +8,15 @@
 
 namespace patchlight {
 
+void measure_hemicube_errors(const SolveStage& stage) {
+    Solution& solution = stage.solution;
+    if (!solution.settings.measure_error) return;
+    const double before = stage.watch.seconds_so_far();
+    solution.form_factors.hemicube = estimate_hemicube_errors(
+        stage.scene, solution.mesh, stage.rays, hemicube_settings(solution.settings));
+    solution.seconds.measuring += stage.watch.seconds_so_far() - before;
+}
+
 bool find_form_factors(const SolveStage& stage, ExchangeMatrix& exchange) {
     Solution& solution = stage.solution;
     const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings,
@@ -25,9 +34,7 @@ bool find_form_factors(const SolveStage& stage, ExchangeMatrix& exchange) {
     solution.form_factors.measured = exchange.measured;
     repair_closure(exchange);
     solution.form_factors.repaired = measure_closure(exchange);
-    if (solution.settings.engine == Engine::hemicube)
-        solution.form_factors.hemicube = estimate_hemicube_errors(
-            stage.scene, solution.mesh, stage.rays, hemicube_settings(solution.settings));
+    if (solution.settings.engine == Engine::hemicube) measure_hemicube_errors(stage);
     return true;
 }
 

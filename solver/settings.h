@@ -28,6 +28,8 @@ struct SolveSettings {
     std::optional<double> time_limit;           // [s]
     std::optional<std::uint64_t> memory_limit;  // [bytes]
     int threads = 0;                            // 0: all cores
+    bool measure_error = true;  // of hand-set solves, which nothing shown depends on; off where
+                                // the time of the solve alone is wanted
 };
 
 enum class Stage : std::uint8_t { mesh, form_factors, solve, display };

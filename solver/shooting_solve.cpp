@@ -1,5 +1,4 @@
 #include "solver/accuracy/energy.h"
-#include "solver/form_factors/hemicube_errors.h"
 #include "solver/form_factors/outside_rays.h"
 #include "solver/make_engine.h"
 #include "solver/rays/low_discrepancy.h"
@@ -87,8 +86,7 @@ DisplayHints solve_by_shooting(const SolveStage& stage) {
     solution.form_factors.repaired = rows.closed();
     solution.seconds.solve = stage.watch.lap();
     if (solution.settings.engine == Engine::hemicube && solution.status == Status::converged)
-        solution.form_factors.hemicube = estimate_hemicube_errors(
-            stage.scene, solution.mesh, stage.rays, hemicube_settings(solution.settings));
+        measure_hemicube_errors(stage);
     solution.seconds.form_factors += stage.watch.lap();
     return hints(report.state);
 }

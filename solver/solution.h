@@ -96,6 +96,7 @@ struct StageSeconds {
     double form_factors = 0.0;
     double solve = 0.0;
     double display = 0.0;
+    double measuring = 0.0;  // of the above: errors measured that nothing shown depends on
 };
 
 enum class Status : std::uint8_t { converged, limit, cancelled };

@@ -27,6 +27,10 @@ struct DisplayHints {
 /// Form factors of all pairs, closure repaired; false if the work was stopped.
 bool find_form_factors(const SolveStage& stage, ExchangeMatrix& exchange);
 
+/// Fills in what the hemicubes' errors are made of, if the settings want errors measured, and
+/// counts the time it takes as measuring.
+void measure_hemicube_errors(const SolveStage& stage);
+
 /// Form factors of all pairs, closure repaired, then Gauss–Seidel. Fills the solution's radiosity,
 /// irradiance, form-factor report, energy, error and status.
 DisplayHints solve_on_matrix(const SolveStage& stage);
