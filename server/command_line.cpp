@@ -1,6 +1,7 @@
 #include "server/command_line.h"
 
 #include "server/argument_hint.h"
+#include "server/chart/chart_command.h"
 #include "server/check_command.h"
 #include "server/form_factors_command.h"
 #include "server/health_command.h"
@@ -39,7 +40,7 @@ int fail(int code, const std::string& what) {
 }
 
 void refuse_commands_not_built(CLI::App& program) {
-    for (const char* name : {"chart", "selftest"})
+    for (const char* name : {"selftest"})
         program.add_subcommand(name)
             ->group("")
             ->prefix_command()
@@ -60,12 +61,14 @@ int run(int count, const char* const* arguments) {
     program.require_subcommand(1);
     SolveCommand solve;
     CheckCommand check;
+    ChartCommand chart;
     FormFactorsCommand form_factors;
     ServeCommand serve;
     HealthCommand health;
     CLI::App* const solve_asked = solve.add_to(program);
     CLI::App* const factors_asked = form_factors.add_to(program);
     CLI::App* const check_asked = check.add_to(program);
+    CLI::App* const chart_asked = chart.add_to(program);
     CLI::App* const serve_asked = serve.add_to(program);
     CLI::App* const health_asked = health.add_to(program);
     refuse_commands_not_built(program);
@@ -77,6 +80,7 @@ int run(int count, const char* const* arguments) {
     if (solve_asked->parsed()) return solve.run();
     if (factors_asked->parsed()) return form_factors.run();
     if (check_asked->parsed()) return check.run();
+    if (chart_asked->parsed()) return chart.run();
     if (serve_asked->parsed()) return serve.run();
     if (health_asked->parsed()) return health.run();
     throw std::logic_error("a command that does nothing");

@@ -64,6 +64,7 @@ const std::vector<Door> doors = {
            "server/utf8_text.h", "server/wording.h", "solver/scene/", "nlohmann/"} +
          numbers},
     {"server/", ways_in + Paths{"CLI/", "signal.h"}},
+    {"server/chart/run_gnuplot", ways_in + Paths{"signal.h", "spawn.h"}},
     {"server/http/", ways_in + network + Paths{"spdlog/"}},
     {"server/http/hardened_server.cpp", {"server/http/", "httplib.h"}},
 };
