@@ -1,6 +1,7 @@
 # The service in a container: built on Debian 12 from its own packages, run on it without them.
 #   docker build -t patchlight .
 #   docker run --rm -p 8080:8080 -e PATCHLIGHT_TOKEN=at-least-16-characters patchlight
+# An image that shall draw charts, too, needs gnuplot-nox beside the libraries of the second stage.
 FROM debian:12-slim AS build
 RUN apt-get update && \
     apt-get install -y --no-install-recommends \

@@ -6,7 +6,7 @@ build=${PATCHLIGHT_BUILD_DIR:-$root/build}
 
 packages=(g++ cmake ninja-build pkg-config libembree-dev libtbb-dev libeigen3-dev libopenimageio-dev
     libcpp-httplib-dev nlohmann-json3-dev libspdlog-dev libcli11-dev libssl-dev libgtest-dev
-    curl)
+    curl gnuplot-nox)
 
 say() { printf '\n== %s\n' "$*"; }
 
