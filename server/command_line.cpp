@@ -5,7 +5,7 @@
 #include "server/check_command.h"
 #include "server/form_factors_command.h"
 #include "server/health_command.h"
-#include "server/not_built.h"
+#include "server/selftest/selftest_command.h"
 #include "server/serve_command.h"
 #include "server/solve_command.h"
 #include "server/version.h"
@@ -39,15 +39,6 @@ int fail(int code, const std::string& what) {
     return code;
 }
 
-void refuse_commands_not_built(CLI::App& program) {
-    for (const char* name : {"selftest"})
-        program.add_subcommand(name)
-            ->group("")
-            ->prefix_command()
-            ->callback([name] { throw WrongInput(why_not_built(name)); })
-            ->set_help_flag();  // none: it would tell of what is not there
-}
-
 /// Help and version are asked for by way of an exception too.
 int answer(const CLI::App& program, const CLI::ParseError& request, const std::string& hint) {
     if (request.get_exit_code() == 0) return program.exit(request);
@@ -65,13 +56,14 @@ int run(int count, const char* const* arguments) {
     FormFactorsCommand form_factors;
     ServeCommand serve;
     HealthCommand health;
+    SelftestCommand selftest;
     CLI::App* const solve_asked = solve.add_to(program);
     CLI::App* const factors_asked = form_factors.add_to(program);
     CLI::App* const check_asked = check.add_to(program);
     CLI::App* const chart_asked = chart.add_to(program);
     CLI::App* const serve_asked = serve.add_to(program);
     CLI::App* const health_asked = health.add_to(program);
-    refuse_commands_not_built(program);
+    CLI::App* const selftest_asked = selftest.add_to(program);
     try {
         program.parse(count, arguments);
     } catch (const CLI::ParseError& request) {
@@ -83,6 +75,7 @@ int run(int count, const char* const* arguments) {
     if (chart_asked->parsed()) return chart.run();
     if (serve_asked->parsed()) return serve.run();
     if (health_asked->parsed()) return health.run();
+    if (selftest_asked->parsed()) return selftest.run();
     throw std::logic_error("a command that does nothing");
 }
 

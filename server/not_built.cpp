@@ -13,7 +13,6 @@ struct Lack {
 /// A line goes when its feature comes.
 constexpr std::array lacks{
     Lack{"hierarchical", "use `gauss-seidel` or `shooting`"},
-    Lack{"selftest", "use `solve` or `check`"},
 };
 
 }  // namespace

@@ -200,8 +200,6 @@ TEST(CommandLine, WrongArgumentsAreRefused) {
 TEST(CommandLine, WhatIsNotBuiltYetIsRefused) {
     const std::string solve = "solve " + box_file() + " ";
     expect_refused(solve + "--solver hierarchical", "is not built yet; ");
-    for (const char* command : {"selftest"})
-        expect_refused(command, "is not built yet; ");
 }
 
 TEST(CommandLine, AFullDiskIsOurSide) {
