@@ -22,8 +22,8 @@ float at(const Image& image, int x, int y) {
 
 TEST(StrokeFont, HasWhatScalesNeed) {
     for (const char* character :
-         {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", ".", "-", "+", "/",
-          "²", "e", "l", "x", "W", "m", "i", "u", "n", "a", "c", "r", "d"})
+         {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", ".", "-", "+", "/", "²",
+          "e", "l", "x", "W", "m", "i", "u", "n", "a", "c", "r", "d", "f", "o", "t"})
         EXPECT_FALSE(glyph_of(character).strokes.empty()) << character;
     EXPECT_TRUE(glyph_of("q").strokes.empty());
 }
