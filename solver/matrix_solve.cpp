@@ -52,8 +52,16 @@ void solve_matrix(const SolveStage& stage, ExchangeMatrix& exchange) {
     const RadiosityProblem problem{factors, std::move(fields.area), std::move(fields.exitance),
                                    std::move(fields.reflectance)};
     StopRule stop{*solution.settings.tolerance, *solution.settings.max_iterations, {}};
+    const Field* so_far = nullptr;
+    stop.show = [&](const Field& radiosity) { so_far = &radiosity; };
+    const std::function<DisplayMesh()> picture = [&] {
+        solution.radiosity = to_rgb(*so_far);
+        return display_of(stage, {exchange.backs, {}});
+    };
     stop.observe = [&](int iteration, double residual) {
-        return stage.watch.step({Stage::solve, 0.0, iteration, residual});
+        Progress progress{Stage::solve, 0.0, iteration, residual};
+        progress.picture = &picture;
+        return stage.watch.step(progress);
     };
     SolveReport report = solve_gauss_seidel(problem, stop);
     solution.radiosity = to_rgb(report.radiosity);

@@ -44,6 +44,8 @@ struct Progress {
     std::optional<double> unshot = std::nullopt;  // shooting: share of the light not sent on [1]
     /// The display field so far, while there is one; good during the call.
     const std::function<DisplayMesh()>* picture = nullptr;
+    /// The same without the ambient light that shooting adds to what is shown, where it adds any.
+    const std::function<DisplayMesh()>* picture_without_ambient = nullptr;
 };
 
 /// Called after each step from the thread that called the solver; `stop` ends the work with what

@@ -71,9 +71,14 @@ DisplayHints solve_by_shooting(const SolveStage& stage) {
             take_over(stage, state);
             return display_of(stage, hints(state));
         };
+        const std::function<DisplayMesh()> plain = [&] {
+            take_over(stage, state);
+            return display_of(stage, {surroundings.hidden, {}});
+        };
         Progress progress{Stage::solve, 0.0, state.shots, state.residual};
         progress.unshot = state.unshot_share;
         progress.picture = &picture;
+        if (*solution.settings.ambient) progress.picture_without_ambient = &plain;
         return stage.watch.step(progress);
     };
     ShootingReport report = shoot(problem, stop);

@@ -74,6 +74,7 @@ SolveReport solve_gauss_seidel(const RadiosityProblem& problem, const StopRule& 
             bound && *bound <= stop.tolerance ? StopReason::tolerance : StopReason::iteration_limit;
         if (report.stopped_by == StopReason::tolerance) return true;
         if (!stop.observe) return false;
+        if (stop.show) stop.show(report.radiosity);
         const StopReason told = stop.observe(iteration, report.residual.relative);
         if (told != StopReason::tolerance) report.stopped_by = told;
         return told != StopReason::tolerance;

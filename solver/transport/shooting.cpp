@@ -64,6 +64,7 @@ class Shooter {
             state_.lost[c][1] += sent * row.outside.escaped;
         }
         ++state_.shots;
+        state_.algebraic_bound.reset();
     }
 
     void measure() {
@@ -136,11 +137,19 @@ ShootingReport shoot(const ShootingProblem& problem, const ShootingStop& stop) {
         const std::size_t room = static_cast<std::size_t>(stop.max_shots - s.shots);
         const std::vector<PatchIndex> next = shooter.brightest(std::min(most_together, room));
         const std::vector<const ClosedRow*> rows = problem.rows.fetch(next);
-        for (std::size_t k = 0; k < next.size(); ++k) shooter.shoot(next[k], *rows[k]);
-        shooter.measure();
-        record();
-        report.stopped_by = stop.observe ? stop.observe(s) : StopReason::tolerance;
-        if (report.stopped_by != StopReason::tolerance) break;
+        report.stopped_by = StopReason::tolerance;
+        for (std::size_t k = 0; k < next.size(); ++k) {
+            shooter.shoot(next[k], *rows[k]);
+            const bool is_last = k + 1 == next.size();
+            if (is_last) shooter.measure();
+            if (is_last) record();
+            if (stop.observe) report.stopped_by = stop.observe(s);
+            if (report.stopped_by != StopReason::tolerance) break;
+        }
+        if (report.stopped_by != StopReason::tolerance) {
+            shooter.measure();
+            break;
+        }
         report.stopped_by = StopReason::iteration_limit;
     }
     report.state = std::move(shooter.state());

@@ -37,7 +37,9 @@ struct ShotSoFar {
 struct ShootingStop {
     double tolerance = 1e-4;  // of the algebraic bound [1]
     int max_shots = 1000000;
-    /// Called after every few shots; what it answers other than `tolerance` stops the work.
+    /// Called after each shot; what it answers other than `tolerance` stops the work. Of shots
+    /// whose rows came together, the last alone is measured: the others are told the residual and
+    /// the share unshot of before, and no bound.
     std::function<StopReason(const ShotSoFar&)> observe;
 };
 

@@ -16,6 +16,8 @@ struct StopRule {
     /// Called after each iteration, if given; what it answers other than `tolerance` stops the
     /// work.
     std::function<StopReason(int iteration, double residual)> observe;
+    /// Handed B before each of those calls, if given.
+    std::function<void(const Field& radiosity)> show = nullptr;
 };
 
 struct SolveReport {

@@ -156,14 +156,15 @@ struct Shown {
     DisplayMesh display;
 };
 
-/// Pictures on the way, about one for each doubling of the shots, and the last.
+/// Pictures on the way, from when all four patches of the lamp have shot, about one for each
+/// doubling of the shots, and the last.
 std::vector<Shown> pictures_of(const Scene& scene, bool ambient, double tolerance = 1e-5) {
     SolveSettings settings = with(Engine::analytic, 0.08);
     settings.method = Method::shooting;
     settings.ambient = ambient;
     settings.tolerance = tolerance;
     std::vector<Shown> shown;
-    int next = 1;
+    int next = 4;
     const Solution solution = solve_scene(scene, settings, [&](const Progress& progress) {
         if (progress.picture && progress.iteration >= next) {
             shown.push_back({progress.iteration, (*progress.picture)()});

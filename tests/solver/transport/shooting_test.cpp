@@ -146,6 +146,24 @@ TEST(Shooting, SendsTheBrightestFirst) {
     EXPECT_LT(unshot.back()[0][3], 0.5);
 }
 
+/// Rows come up to eight at a time: whoever looks at each shot must not change what is shot.
+TEST(Shooting, TellsOfEachShotAndTheResultStaysTheSame) {
+    const auto owned = random_shooting(random_rows(30, 0.6, 9), 3, 0.9, 9),
+               other = random_shooting(random_rows(30, 0.6, 9), 3, 0.9, 9);
+    ShootingStop stop = to(1e-6);
+    int told = 0;
+    stop.observe = [&](const ShotSoFar& state) {
+        EXPECT_EQ(state.shots, ++told);
+        return StopReason::tolerance;
+    };
+    const ShootingReport watched = shoot(owned->problem, stop),
+                         alone = shoot(other->problem, to(1e-6));
+    EXPECT_EQ(told, watched.state.shots);
+    EXPECT_EQ(watched.state.radiosity, alone.state.radiosity);
+    EXPECT_EQ(watched.state.residual, alone.state.residual);
+    EXPECT_EQ(watched.convergence.size(), alone.convergence.size());
+}
+
 TEST(Shooting, NeverMakesMoreShotsThanAllowed) {
     for (const int most : {0, 1, 5, 17}) {
         const auto owned = random_shooting(random_rows(30, 0.9, 7), 1, 0.9, 7);
