@@ -65,6 +65,16 @@ class HemicubeView {
     /// how many rays were cast.
     template <typename Visit>
     std::uint64_t look(const HemicubePose& pose, const Visit& visit) {
+        return look_through(pose, [&](int, std::size_t, double share, const HemicubeSight* sight) {
+            visit(share, sight);
+        });
+    }
+
+    static constexpr int faces = 5;  // the top is the first, then +x, -x, +y, -y of the pose
+
+    /// The same with visit(face, cell, share, sight), cells in no order.
+    template <typename Visit>
+    std::uint64_t look_through(const HemicubePose& pose, const Visit& visit) {
         std::uint64_t rays = 0;
         choose_triangles(pose);
         for (int face = 0; face < faces; ++face) {
@@ -76,18 +86,18 @@ class HemicubeView {
                 if (is_doubtful(items, k, face == 0)) {
                     doubtful_.push_back(k);
                 } else if (items[k] == raster::ItemBuffer::nothing) {
-                    visit(shares[k], nullptr);
+                    visit(face, k, shares[k], nullptr);
                 } else {
                     const HemicubeSight sight =
                         scene_.sight(items[k], pose.eye, directions.at(k, cells_.width()));
-                    visit(shares[k], &sight);
+                    visit(face, k, shares[k], &sight);
                 }
             }
             for (std::size_t first = 0; first < doubtful_.size(); first += ray_batch) {
                 const int count = cast(pose, directions, first);
                 for (int k = 0; k < count; ++k) {
-                    const double share = shares[doubtful_[first + static_cast<std::size_t>(k)]];
-                    visit(share, landed_[k] ? &sights_[k] : nullptr);
+                    const std::size_t cell = doubtful_[first + static_cast<std::size_t>(k)];
+                    visit(face, cell, shares[cell], landed_[k] ? &sights_[k] : nullptr);
                 }
             }
             rays += doubtful_.size();
@@ -96,8 +106,7 @@ class HemicubeView {
     }
 
   private:
-    static constexpr int faces = 5;  // the top is the first
-    struct Directions {              // of the cell centres of one face
+    struct Directions {  // of the cell centres of one face
         Vec3 first, per_column, per_row;
         Vec3 at(std::size_t cell, int width) const {
             const int row = static_cast<int>(cell) / width, column = static_cast<int>(cell) % width;
