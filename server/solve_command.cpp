@@ -69,6 +69,7 @@ CLI::App* SolveCommand::add_to(CLI::App& program) {
     add_output("--sensors", outputs_.sensors, "irradiance at sensors, as .csv; - likewise");
     add_output("--patches", outputs_.patches, "light on every patch, as .csv; - likewise");
     add_output("--mesh", outputs_.mesh, "the surfaces with their light, as .glb");
+    trace_.add_to(*command);
     command->add_flag("--quiet", is_quiet_, "no progress on the terminal");
     settings_.add_to(*command);
     return command;
@@ -78,14 +79,21 @@ int SolveCommand::run() const {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<ImageFormat> formats = checked_formats(outputs_);
     pictures_.check(formats, outputs_.mesh.has_value());
-    if (std::any_of(formats.begin(), formats.end(), needs_codec)) raster::preload_image_codec();
+    trace_.prepare();
+    if (trace_.is_asked() || std::any_of(formats.begin(), formats.end(), needs_codec))
+        raster::preload_image_codec();
     catch_interrupts();
     Job job = read_job();
     const auto requests = pictures_.requests(formats, shown_path(scene_), job);
     const std::chrono::duration<double> load = std::chrono::steady_clock::now() - start;
-    const JobResult result = solve(job, requests, load.count());
+    const NamedCamera traced = TraceOptions::camera(job, requests);
+    StepPictures steps(traced.camera);
+    const JobResult result = solve(job, requests, load.count(), [&](const Progress& progress) {
+        if (trace_.is_asked()) steps.watch(progress);
+    });
     write_outputs(outputs_, pictures_.exposure(), job, result);
-    if (outputs_.none()) std::cout << summary(job, result);
+    trace_.write(job, result, shown_path(scene_), traced, pictures_.exposure(), steps);
+    if (outputs_.none() && !trace_.is_asked()) std::cout << summary(job, result);
     tell_why_unfinished(result.solution);
     return exit_code(result.solution.status);
 }
@@ -98,13 +106,15 @@ Job SolveCommand::read_job() const {
 }
 
 JobResult SolveCommand::solve(const Job& job, const std::vector<PictureRequest>& requests,
-                              double load_seconds) const {
+                              double load_seconds,
+                              const std::function<void(const Progress&)>& watch) const {
     const ThreadLimit limit(job.settings.threads);
     JobResult result;
     settings_.naming_culprit(shown_path(scene_), [&] {
         ProgressLine line(!is_quiet_);
         const Observer observe = [&](const Progress& progress) {
             line.show(progress);
+            watch(progress);
             return is_interrupted() ? Verdict::stop : Verdict::go_on;
         };
         result = run_job(job, requests, load_seconds, observe);

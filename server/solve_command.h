@@ -3,7 +3,9 @@
 #include "server/picture_options.h"
 #include "server/settings_options.h"
 #include "server/solve_outputs.h"
+#include "server/trace/trace_options.h"
 
+#include <functional>
 #include <string>
 
 namespace patchlight::server {
@@ -19,12 +21,14 @@ class SolveCommand {
 
   private:
     Job read_job() const;
+    /// `watch` is told each step of progress.
     JobResult solve(const Job& job, const std::vector<PictureRequest>& requests,
-                    double load_seconds) const;
+                    double load_seconds, const std::function<void(const Progress&)>& watch) const;
 
     std::string scene_;
     SolveOutputs outputs_;
     PictureOptions pictures_;
+    TraceOptions trace_;
     bool is_quiet_ = false;
     SettingsOptions settings_;
 };
