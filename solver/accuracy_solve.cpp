@@ -18,7 +18,7 @@ namespace patchlight {
 namespace {
 
 /// Shares of the target that causes of error are planned to have. What they come to is measured.
-constexpr double direct_share = 0.25, indirect_share = 0.20, noise_share = 0.38;
+constexpr double direct_share = 0.25, indirect_share = 0.20, noise_share = 0.34;
 constexpr double planned = 0.8;             // of the target: all causes together, measured
 constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
 constexpr double uncorrected = 2.0;         // times a change that could not be sent on
@@ -117,7 +117,7 @@ bool AccuracySolve::gather(double coarseness) {
 }
 
 /// Until it is known well enough: where the target would be met but for the doubt that few points
-/// leave, more of them.
+/// leave, or one of them counts for very much, more of them.
 void AccuracySolve::measure() {
     CheckEffort effort;
     effort.direct = {std::max(64, 2 * aim_.effort.first), 2 * aim_.effort.most};
@@ -135,7 +135,9 @@ void AccuracySolve::measure() {
         estimate_error(*checks_, reflected, coarse, 0.0, solution_.error);
         const double without_doubt = *solution_.error.estimate;
         estimate_error(*checks_, reflected, coarse, sure, solution_.error);
-        if (solution_.error.met() || without_doubt > promising * target_ || !go_on()) break;
+        const bool worth_it =
+            without_doubt < promising * target_ || *solution_.error.estimate > 1.4 * without_doubt;
+        if (solution_.error.met() || !worth_it || !go_on()) break;
     }
 }
 
@@ -153,8 +155,7 @@ void AccuracySolve::aim_closer() {
     aim_.keep_indirect = indirect <= allowed && indirect < direct;
     if (aim_.keep_indirect) return;
     const double scale = closer(indirect);
-    // Linear interpolation between vertices halves the variance.
-    const double noise = light_.noise().absolute(aim_.rays) / std::sqrt(2.0) / norm;
+    const double noise = passed_on * light_.pass().indirect_noise() / norm;
     if (noise > 0.5 * indirect)
         aim_.rays = light_.noise().rays_for(scale * light_.noise().absolute(aim_.rays), fewest_rays,
                                             most_rays);

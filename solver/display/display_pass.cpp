@@ -74,14 +74,14 @@ bool DisplayPass::refine_direct(double target, const DirectEffort& effort) {
     }
     rule.follow = true;
     return direct_->refine(tree_, weight_, rule,
-                           [&](auto wanted) { return points_.direct(tree_, wanted, effort); });
+                           [&](auto vertices) { return points_.direct(tree_, vertices, effort); });
 }
 
 bool DisplayPass::refine_indirect(double target, const ReflectedField& field, int rays) {
     IrradianceLayer::Rule rule;
     rule.target = target;
-    if (!indirect_->refine(tree_, weight_, rule, [&](auto wanted) {
-            return points_.indirect(tree_, wanted, field, rays);
+    if (!indirect_->refine(tree_, weight_, rule, [&](auto vertices) {
+            return points_.indirect(tree_, vertices, field, rays);
         }))
         return false;
     indirect_->smooth(tree_, weight_, expected_miss * target / std::sqrt(area_));

@@ -35,6 +35,7 @@ class DisplayPass {
     const VertexGather& points() const { return points_; }
     const IrradianceLayer& direct() const { return *direct_; }
     const IrradianceLayer& indirect() const { return *indirect_; }
+    double indirect_noise() const { return indirect_->noise(tree_); }  // √∫ Y² dA [W/m]
 
   private:
     SplitIrradiance at_all() const;

@@ -20,6 +20,7 @@ constexpr double smallest_peak = 5e-5;  // of all area: smaller ones hardly anyb
 constexpr double beyond_noise = 9.0;    // its mean square: hardly ever chance [1]
 constexpr double by_chance =
     1.0;  // of the mean noise, that three squares of it often go beyond [1]
+constexpr double bilinear_noise = 4.0 / 9.0;  // mean over an element beside that at corners [1]
 constexpr double mean_square = 0.5;  // of the miss over an element beside that at its middles [1]
 
 }  // namespace
@@ -52,22 +53,22 @@ void IrradianceLayer::grow(const RefinementTree& tree) {
 bool IrradianceLayer::learn(const RefinementTree& tree, std::span<const std::uint32_t> elements,
                             const Gather& gather) {
     grow(tree);
-    std::vector<Wanted> wanted;
+    std::vector<std::uint32_t> wanted;
     for (const std::uint32_t e : elements)
         for (const std::uint32_t v : tree.elements()[e].vertices)
             if (!known_[v]) {
                 known_[v] = true;
-                wanted.push_back({v, tree.elements()[e].level});
+                wanted.push_back(v);
             }
     if (wanted.empty()) return true;
     const std::vector<Gathered> values = gather(wanted);
     const std::size_t got = values.size();
     for (std::size_t k = 0; k < wanted.size(); ++k) {
         if (k < got) {
-            value_[wanted[k].vertex] = values[k].value;
-            variance_[wanted[k].vertex] = values[k].variance;
+            value_[wanted[k]] = values[k].value;
+            variance_[wanted[k]] = values[k].variance;
         } else {
-            known_[wanted[k].vertex] = false;
+            known_[wanted[k]] = false;
         }
     }
     gathered_ += got;
@@ -184,6 +185,17 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
         for (const std::uint32_t e : marked) add_children(tree, e, of(e), kept);
         leaves_ = std::move(kept);
     }
+}
+
+double IrradianceLayer::noise(const RefinementTree& tree) const {
+    double sum = 0.0;
+    for (const Leaf& leaf : leaves_) {
+        const TreeElement& element = tree.elements()[leaf.element];
+        for (std::size_t k = 0; k < element.corner_count(); ++k)
+            sum += bilinear_noise * element.area * variance_[element.vertices[k]] /
+                   static_cast<double>(element.corner_count());
+    }
+    return std::sqrt(sum);
 }
 
 void IrradianceLayer::smooth(const RefinementTree& tree, const std::vector<Rgb>& reflectance,

@@ -18,12 +18,8 @@ class IrradianceLayer {
         Rgb value = Rgb::Zero();  // [W/m²]
         double variance = 0.0;    // of what is reflected of it, luminance; an estimate [W²/m⁴]
     };
-    struct Wanted {
-        std::uint32_t vertex = 0;
-        int level = 0;  // of the elements about it that it was first wanted for
-    };
     /// Irradiance at vertices of the tree, in their order; fewer: the work was stopped.
-    using Gather = std::function<std::vector<Gathered>(std::span<const Wanted>)>;
+    using Gather = std::function<std::vector<Gathered>(std::span<const std::uint32_t> vertices)>;
 
     struct Rule {
         double target = 0.0;   // of the radiosity's error, √∫ Y² dA [W/m]
@@ -54,12 +50,15 @@ class IrradianceLayer {
     std::size_t gathered() const { return gathered_; }
     /// What is expected to be missed yet, √∫ Y² dA [W/m].
     double expected_miss() const { return expected_miss_; }
+    /// What noise of gathering leaves in the field between vertices, before it is smoothed, √∫ Y²
+    /// dA [W/m].
+    double noise(const RefinementTree& tree) const;
 
   private:
     struct Leaf {  // of this layer
         std::uint32_t element = 0;
-        double miss = 0.0;  // expected, squared and integrated [W²/m²]
-        double sure = 0.0;  // the same, as far as noise can be no reason for it
+        double miss = 0.0;   // expected, squared and integrated [W²/m²]
+        double sure = 0.0;   // the same, as far as noise can be no reason for it
         double doubt = 0.0;  // of `miss`, what noise may make it by chance
     };
     bool learn(const RefinementTree& tree, std::span<const std::uint32_t> elements,

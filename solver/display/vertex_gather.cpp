@@ -5,7 +5,6 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace patchlight {
 
@@ -13,18 +12,7 @@ namespace {
 
 constexpr double inward = 1e-4;  // of the way to the patch's centre
 constexpr std::size_t points_at_a_time = 1024;
-constexpr int finest_level = 2;  // of elements at whose vertices all rays are cast
-/// Below, where less area hangs on a vertex, so many for each level: as the variance falls with the
-/// power 1.44 of the rays, the noise of all vertices is least for their sum at 4^(-1/2.44).
-constexpr double fewer_rays = 0.57;
 constexpr double most_pairs = 2e7;  // of patches and patches of sources that are looked at
-
-int rays_at(int rays, int level) {
-    if (level <= finest_level) return rays;
-    constexpr int step = 2 * ray_batch;
-    const double wanted = rays * std::pow(fewer_rays, level - finest_level);
-    return step * std::max(1, static_cast<int>(std::lround(wanted / step)));
-}
 
 }  // namespace
 
@@ -82,12 +70,12 @@ std::vector<VertexGather::Gathered> VertexGather::each(
 }
 
 std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& tree,
-                                                         std::span<const Wanted> wanted,
+                                                         std::span<const std::uint32_t> vertices,
                                                          const DirectEffort& effort) const {
-    return each(wanted.size(), [&](std::size_t k) {
-        const TreeVertex& vertex = tree.vertices()[wanted[k].vertex];
-        const PointGather::Direct found = gather_.direct(point(vertex.patch, vertex.position),
-                                                         effort, mix(seed_, wanted[k].vertex));
+    return each(vertices.size(), [&](std::size_t k) {
+        const TreeVertex& vertex = tree.vertices()[vertices[k]];
+        const PointGather::Direct found =
+            gather_.direct(point(vertex.patch, vertex.position), effort, mix(seed_, vertices[k]));
         const double y = luminance(
             scene_.materials[scene_.surfaces[surface_of(vertex.patch)].material].reflectance);
         return Gathered{found.irradiance, y * y * found.variance};
@@ -95,14 +83,13 @@ std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& t
 }
 
 std::vector<VertexGather::Gathered> VertexGather::indirect(const RefinementTree& tree,
-                                                           std::span<const Wanted> wanted,
+                                                           std::span<const std::uint32_t> vertices,
                                                            const ReflectedField& field,
                                                            int rays) const {
-    return each(wanted.size(), [&](std::size_t k) {
-        const TreeVertex& vertex = tree.vertices()[wanted[k].vertex];
-        const PointGather::Indirect found =
-            gather_.indirect(point(vertex.patch, vertex.position), field,
-                             rays_at(rays, wanted[k].level), mix(seed_ + 1, wanted[k].vertex));
+    return each(vertices.size(), [&](std::size_t k) {
+        const TreeVertex& vertex = tree.vertices()[vertices[k]];
+        const PointGather::Indirect found = gather_.indirect(
+            point(vertex.patch, vertex.position), field, rays, mix(seed_ + 1, vertices[k]));
         const Material& material =
             scene_.materials[scene_.surfaces[surface_of(vertex.patch)].material];
         return Gathered{found.irradiance, found.variance(material.reflectance)};

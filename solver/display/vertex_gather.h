@@ -20,10 +20,11 @@ class VertexGather {
                  std::function<bool()> go_on);
 
     using Gathered = IrradianceLayer::Gathered;
-    using Wanted = IrradianceLayer::Wanted;
-    std::vector<Gathered> direct(const RefinementTree& tree, std::span<const Wanted> wanted,
+    std::vector<Gathered> direct(const RefinementTree& tree,
+                                 std::span<const std::uint32_t> vertices,
                                  const DirectEffort& effort) const;
-    std::vector<Gathered> indirect(const RefinementTree& tree, std::span<const Wanted> wanted,
+    std::vector<Gathered> indirect(const RefinementTree& tree,
+                                   std::span<const std::uint32_t> vertices,
                                    const ReflectedField& field, int rays) const;
 
     /// A point of patch i, moved a little towards its centre so that no ray starts on the edge of

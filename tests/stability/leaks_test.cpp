@@ -44,17 +44,11 @@ TEST_P(Leaks, TheSecondOfTwoRoomsStaysDark) {
             for (int j = 0; j < 2; ++j)
                 builder.polygon("dark tile", wall,
                                 parallelogram({x, i / 3.0, j / 2.0}, {0, 1 / 3.0, 0}, {0, 0, 0.5}));
-        SolveSettings settings = settings_for(GetParam(), {0.5, 256, 1e-4});
-        if (GetParam().to_accuracy) settings.accuracy = 0.1;  // 0.02 takes minutes at thickness 0
+        const SolveSettings settings = settings_for(GetParam(), {0.5, 256, 1e-4});
         most = std::max(
             most, most_beyond(std::max(x, 1.0) + 1e-9, patchlight::solve(builder.scene, settings)));
     }
-    Excuse excuse;
-    if (GetParam().to_accuracy)
-        excuse = {1.5,
-                  "a defect no theory excuses: points gathered on edges that both rooms share "
-                  "(thickness 0) are lit by the lamp of the other"};
-    judge("C1", GetParam(), most, 0.0, excuse);
+    judge("C1", GetParam(), most, 0.0);
 }
 
 /// Half a room that is lit, half that is not, on one floor; what parts them is of no thickness.

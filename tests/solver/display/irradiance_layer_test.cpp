@@ -32,10 +32,10 @@ struct Square {
 
 template <typename Function>
 IrradianceLayer::Gather gatherer(const RefinementTree& tree, const Function& f) {
-    return [&tree, f](std::span<const IrradianceLayer::Wanted> vertices) {
+    return [&tree, f](std::span<const std::uint32_t> vertices) {
         std::vector<Gathered> values;
-        for (const IrradianceLayer::Wanted& wanted : vertices) {
-            const Vec3& p = tree.vertices()[wanted.vertex].position;
+        for (const std::uint32_t v : vertices) {
+            const Vec3& p = tree.vertices()[v].position;
             values.push_back({Rgb::Constant(f(p.x(), p.y())), 0.0});
         }
         return values;
@@ -133,7 +133,7 @@ TEST(IrradianceLayer, DoesNotRefineNoiseThatItIsToldOf) {
     IrradianceLayer layer(square.tree.vertices().size());
     std::mt19937 random(1);
     std::normal_distribution<double> normal(0.0, noise);
-    const auto gather = [&](std::span<const IrradianceLayer::Wanted> vertices) {
+    const auto gather = [&](std::span<const std::uint32_t> vertices) {
         std::vector<Gathered> values;
         for (std::size_t k = 0; k < vertices.size(); ++k)
             values.push_back({Rgb::Constant(1.0 + normal(random)), 0.25 * noise * noise});
@@ -161,7 +161,7 @@ TEST(IrradianceLayer, LooksBetweenCornersThatAreAlike) {
 TEST(IrradianceLayer, KeepsWhatItHasWhenItIsStopped) {
     Square square;
     IrradianceLayer layer(square.tree.vertices().size());
-    const auto first_only = [](std::span<const IrradianceLayer::Wanted> vertices) {
+    const auto first_only = [](std::span<const std::uint32_t> vertices) {
         return std::vector<Gathered>(vertices.size() / 2, Gathered{Rgb::Constant(3.0), 0.0});
     };
     EXPECT_FALSE(layer.refine(square.tree, square.reflectance, {}, first_only));
