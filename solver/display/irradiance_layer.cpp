@@ -18,6 +18,7 @@ constexpr double decay = 1.0 / 3.0;   // of what is missed, by each cut: 1/4 is 
 constexpr double highest_peak = 6.0;  // that may be missed anywhere, over the root mean square [1]
 constexpr double smallest_peak = 5e-5;  // of all area: smaller ones hardly anybody will meet [1]
 constexpr double beyond_noise = 9.0;    // its mean square: hardly ever chance [1]
+constexpr int most_follows = 4;  // times that all elements are looked at for finer ones beside
 constexpr double by_chance =
     1.0;  // of the mean noise, that three squares of it often go beyond [1]
 constexpr double bilinear_noise = 4.0 / 9.0;  // mean over an element beside that at corners [1]
@@ -154,6 +155,7 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
     const auto must_cut = [&](const TreeElement& element) {
         return element.level < rule.least_levels && rule.must_look(element.patch);
     };
+    int follows = rule.follow ? most_follows : 0;
     for (;;) {
         double total = 0.0;
         for (const Leaf& leaf : leaves_) total += leaf.miss;
@@ -173,7 +175,7 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
             else
                 kept.push_back(leaf);
         }
-        if (marked.empty() && rule.follow) follow_neighbours(tree, rule, marked, kept);
+        if (marked.empty() && follows-- > 0) follow_neighbours(tree, rule, marked, kept);
         if (marked.empty()) return true;
         std::vector<std::uint32_t> children;
         for (const std::uint32_t e : marked) {
