@@ -62,6 +62,10 @@ bool agree(const std::string& a, const std::string& b) {
 bool cells_agree(const std::string& a, const std::string& b) {
     const std::vector<std::string> left = words_of(a), right = words_of(b);
     if (!left.empty() && !right.empty() && left[0] == "holds" && right[0] == "holds") return true;
+    const auto measured = [](const std::vector<std::string>& words) {
+        return words.size() == 2 && (words[0] == "holds" || words[0] == "degrades");
+    };
+    if (measured(left) && measured(right)) return agree(left[1], right[1]);
     return std::equal(left.begin(), left.end(), right.begin(), right.end(), agree);
 }
 
@@ -109,8 +113,9 @@ std::string figure(double value) {
 }
 
 std::vector<std::string> disagreements(const MarkdownTable& committed, const MarkdownTable& found,
-                                       std::size_t keys) {
+                                       std::size_t keys, Rows rows) {
     std::vector<std::string> told;
+    const bool all = rows == Rows::must_be_the_same;
     if (committed.head != found.head) told.push_back("the heads of the columns differ");
     const auto row_like = [&](const MarkdownTable& table, const std::vector<std::string>& row) {
         return std::find_if(table.rows.begin(), table.rows.end(), [&](const auto& other) {
@@ -118,12 +123,13 @@ std::vector<std::string> disagreements(const MarkdownTable& committed, const Mar
         });
     };
     for (const auto& row : committed.rows)
-        if (row.size() != committed.head.size() || row_like(found, row) == found.rows.end())
+        if (row.size() != committed.head.size() ||
+            (all && row_like(found, row) == found.rows.end()))
             told.push_back(key_of(row, std::min(keys, row.size())) + ": committed, but not found");
     for (const auto& row : found.rows) {
         const auto other = row_like(committed, row);
         if (other == committed.rows.end()) {
-            told.push_back(key_of(row, keys) + ": found, but not committed");
+            if (all) told.push_back(key_of(row, keys) + ": found, but not committed");
             continue;
         }
         for (std::size_t k = keys; k < row.size(); ++k)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,9 +27,11 @@ std::string figure(double value);
 
 /// Where a committed table says something else than the run does, in words; rows are told apart by
 /// their first `keys` cells. Words must be equal, and figures within a factor of 2, unless both are
-/// below 1e-5; after "holds" none is compared, as any that is small enough is right. Columns headed
-/// "seconds" are not compared.
+/// below 1e-5; where both say "holds" none is compared, as any that is small enough is right, and
+/// where one "holds" and one "degrades" the figures decide: another machine rounds a close call the
+/// other way. Columns headed "seconds" are not compared.
+enum class Rows : std::uint8_t { must_be_the_same, may_differ };
 std::vector<std::string> disagreements(const MarkdownTable& committed, const MarkdownTable& found,
-                                       std::size_t keys);
+                                       std::size_t keys, Rows rows = Rows::must_be_the_same);
 
 }  // namespace patchlight::stability
