@@ -156,11 +156,11 @@ void AccuracySolve::aim_closer() {
     if (aim_.keep_indirect) return;
     const double scale = closer(indirect);
     const double noise = passed_on * light_.pass().indirect_noise() / norm;
-    if (noise > 0.5 * indirect)
-        aim_.rays = light_.noise().rays_for(scale * light_.noise().absolute(aim_.rays), fewest_rays,
-                                            most_rays);
-    else
-        aim_.indirect *= scale;
+    const bool noisy = noise > 0.5 * indirect;
+    const double less = noisy ? scale : std::sqrt(scale);  // it may be more than halves tell
+    aim_.rays =
+        light_.noise().rays_for(less * light_.noise().absolute(aim_.rays), fewest_rays, most_rays);
+    if (!noisy) aim_.indirect *= scale;
 }
 
 /// Rounds that cost little, until they change little.
