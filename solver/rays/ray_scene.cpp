@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <string>
 
@@ -28,7 +29,10 @@ constexpr float beyond_everything = 16.0f;  // ray space is 2 across
 struct RayScene::Device {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
-    Device() : device(rtcNewDevice("threads=0,set_affinity=0")) {
+    explicit Device(const std::string& instructions) {
+        std::string config = "threads=0,set_affinity=0";
+        if (!instructions.empty()) config += ",isa=" + instructions;
+        device = rtcNewDevice(config.c_str());
         if (!device) throw std::bad_alloc();
         rtcSetDeviceErrorFunction(device, &on_error, this);
         scene = rtcNewScene(device);
@@ -44,8 +48,9 @@ struct RayScene::Device {
     RTCError error = RTC_ERROR_NONE;
 };
 
-RayScene::RayScene(const Scene& scene, const CoplanarOverlaps& overlaps)
-    : partners_(overlaps.partners), device_(std::make_unique<Device>()) {
+RayScene::RayScene(const Scene& scene, const CoplanarOverlaps& overlaps,
+                   const std::string& instructions)
+    : partners_(overlaps.partners), device_(std::make_unique<Device>(instructions)) {
     Eigen::AlignedBox3d box;
     for (const Surface& surface : scene.surfaces)
         for (const Vec3& p : surface.corners) box.extend(p);
@@ -128,25 +133,27 @@ void RayScene::build(const Scene& scene) {
 
 namespace {
 
-/// Rays from their origins to the end of the scene, of which the first `count` are valid.
-void fill_query(const RayBatch& rays, int count, RTCRayHit16& query,
+/// The first `count` rays, from their origins to `end` times their directions. The other lanes hold
+/// a ray of no length: where 16 rays are more than the processor's width, Embree 3 goes by the
+/// lengths and not by `valid`.
+template <typename Query>
+void fill_query(const RayBatch& rays, int count, float end, Query& query,
                 std::array<int, ray_batch>& valid) {
     for (int k = 0; k < ray_batch; ++k) {
-        valid[k] = k < count ? -1 : 0;
-        query.ray.org_x[k] = rays.ox[k];
-        query.ray.org_y[k] = rays.oy[k];
-        query.ray.org_z[k] = rays.oz[k];
-        query.ray.dir_x[k] = rays.dx[k];
-        query.ray.dir_y[k] = rays.dy[k];
-        query.ray.dir_z[k] = rays.dz[k];
-        query.ray.tnear[k] = 0.0f;
-        query.ray.tfar[k] = beyond_everything;
-        query.ray.time[k] = 0.0f;
-        query.ray.mask[k] = ~0u;
-        query.ray.id[k] = 0;
-        query.ray.flags[k] = 0;
-        query.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
-        query.hit.primID[k] = RTC_INVALID_GEOMETRY_ID;
+        const bool used = k < count;
+        valid[k] = used ? -1 : 0;
+        query.org_x[k] = used ? rays.ox[k] : 0.0f;
+        query.org_y[k] = used ? rays.oy[k] : 0.0f;
+        query.org_z[k] = used ? rays.oz[k] : 0.0f;
+        query.dir_x[k] = used ? rays.dx[k] : 0.0f;
+        query.dir_y[k] = used ? rays.dy[k] : 0.0f;
+        query.dir_z[k] = used ? rays.dz[k] : 1.0f;
+        query.tnear[k] = 0.0f;
+        query.tfar[k] = used ? end : -std::numeric_limits<float>::infinity();
+        query.time[k] = 0.0f;
+        query.mask[k] = ~0u;
+        query.id[k] = 0;
+        query.flags[k] = 0;
     }
 }
 
@@ -155,7 +162,8 @@ void fill_query(const RayBatch& rays, int count, RTCRayHit16& query,
 void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) const {
     RTCRayHit16 query;
     alignas(64) std::array<int, ray_batch> valid;
-    fill_query(rays, count, query, valid);
+    fill_query(rays, count, beyond_everything, query.ray, valid);
+    std::fill_n(query.hit.geomID, ray_batch, RTC_INVALID_GEOMETRY_ID);
 #if RTC_VERSION_MAJOR >= 4
     rtcIntersect16(valid.data(), device_->scene, &query, nullptr);
 #else
@@ -232,21 +240,7 @@ void RayScene::resolve_contact(LandingBatch& landings, int k, const RayPoint& di
 std::uint32_t RayScene::blocked(const RayBatch& segments, int count) const {
     RTCRay16 query;
     alignas(64) std::array<int, ray_batch> valid;
-    for (int k = 0; k < ray_batch; ++k) {
-        valid[k] = k < count ? -1 : 0;
-        query.org_x[k] = segments.ox[k];
-        query.org_y[k] = segments.oy[k];
-        query.org_z[k] = segments.oz[k];
-        query.dir_x[k] = segments.dx[k];
-        query.dir_y[k] = segments.dy[k];
-        query.dir_z[k] = segments.dz[k];
-        query.tnear[k] = 0.0f;
-        query.tfar[k] = 1.0f;
-        query.time[k] = 0.0f;
-        query.mask[k] = ~0u;
-        query.id[k] = 0;
-        query.flags[k] = 0;
-    }
+    fill_query(segments, count, 1.0f, query, valid);
 #if RTC_VERSION_MAJOR >= 4
     rtcOccluded16(valid.data(), device_->scene, &query, nullptr);
 #else

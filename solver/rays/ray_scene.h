@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace patchlight {
@@ -34,7 +35,9 @@ struct alignas(64) LandingBatch {
 /// no crack between patches. Safe to use from several threads.
 class RayScene {
   public:
-    RayScene(const Scene& scene, const CoplanarOverlaps& overlaps);
+    /// `instructions` limits Embree to a set of them, such as "avx2"; empty: the best there are.
+    RayScene(const Scene& scene, const CoplanarOverlaps& overlaps,
+             const std::string& instructions = {});
     ~RayScene();
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;
