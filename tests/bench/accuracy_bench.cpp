@@ -1,13 +1,15 @@
 // True errors of solves to an accuracy, in random rooms, beside what they say of themselves.
 //
-//   patchlight_accuracy_bench FIRST_SEED ROOMS [POINTS [RAYS]]
+//   patchlight_accuracy_bench FIRST_SEED ROOMS [POINTS [RAYS [FINER]]]
 //
 // The truth at points spread by area: direct light by 128 x 128 samples of each lamp, all other
-// light by RAYS rays over the hemisphere that read a finer solution where they land.
+// light by RAYS rays over the hemisphere that read a solution to the accuracy FINER where they
+// land.
 #include "solver/display/light_sources.h"
 #include "solver/form_factors/point_factor.h"
 #include "solver/rays/low_discrepancy.h"
 #include "solver/solve_scene.h"
+#include "tests/bench/shown_field.h"
 #include "tests/physics/random_room.h"
 
 #include <oneapi/tbb/parallel_for.h>
@@ -28,80 +30,6 @@ namespace {
 constexpr int lamp_samples = 128;  // along each side
 constexpr double accuracies[] = {0.1, 0.03, 0.01, 0.003};
 
-/// Displayed radiosity at any point of a surface.
-class Shown {
-  public:
-    Shown(const Scene& scene, const Solution& solution)
-        : scene_(scene), solution_(solution), of_surface_(scene.surfaces.size()) {
-        for (std::size_t t = 0; t < solution.display.triangles.size(); ++t)
-            of_surface_[solution.mesh.patches[solution.display.patch[t]].surface].push_back(t);
-    }
-
-    Rgb at(SurfaceIndex s, const Vec3& p) const {
-        double best = -1e300;
-        Rgb value = Rgb::Zero();
-        for (const std::size_t t : of_surface_[s]) {
-            const auto [a, b, c] = solution_.display.triangles[t];
-            const auto& x = solution_.display.positions;
-            const Vec3& n = scene_.surfaces[s].normal;
-            const double whole = (x[b] - x[a]).cross(x[c] - x[a]).dot(n);
-            const double u = (x[c] - x[b]).cross(p - x[b]).dot(n) / whole,
-                         v = (x[a] - x[c]).cross(p - x[c]).dot(n) / whole, w = 1.0 - u - v;
-            const double inside = std::min({u, v, w});
-            if (inside <= best) continue;
-            best = inside;
-            const auto& r = solution_.display.radiosity;
-            value = u * r[a] + v * r[b] + w * r[c];
-            if (inside >= 0.0) break;
-        }
-        return value;
-    }
-
-  private:
-    const Scene& scene_;
-    const Solution& solution_;
-    std::vector<std::vector<std::size_t>> of_surface_;
-};
-
-/// The same on a lattice over each surface, quick enough for rays.
-class ShownQuickly {
-  public:
-    ShownQuickly(const Scene& scene, const Shown& shown, const RayScene& rays) {
-        for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
-            const auto& corners = scene.surfaces[s].corners;  // parallelograms all
-            Sheet sheet;
-            const Vec3 e1 = corners[1] - corners[0], e2 = corners[3] - corners[0];
-            sheet.origin = rays.to_ray_space(corners[0]);
-            sheet.u = (e1 / (e1.squaredNorm() * rays.scale())).cast<float>();
-            sheet.v = (e2 / (e2.squaredNorm() * rays.scale())).cast<float>();
-            sheet.values.resize(lattice * lattice);
-            const Rgb& exitance = scene.materials[scene.surfaces[s].material].exitance;
-            tbb::parallel_for(std::size_t{0}, lattice * lattice, [&](std::size_t k) {
-                const double a = (static_cast<double>(k % lattice) + 0.5) / lattice,
-                             b = (static_cast<double>(k / lattice) + 0.5) / lattice;
-                sheet.values[k] = luminance(shown.at(s, corners[0] + a * e1 + b * e2) - exitance);
-            });
-            sheets_.push_back(std::move(sheet));
-        }
-    }
-    double at(SurfaceIndex s, const RayPoint& p) const {
-        const Sheet& sheet = sheets_[s];
-        const float a = (p - sheet.origin).dot(sheet.u), b = (p - sheet.origin).dot(sheet.v);
-        const auto cell = [](float x) {
-            return static_cast<std::size_t>(std::clamp(x * lattice, 0.0f, lattice - 1.0f));
-        };
-        return sheet.values[cell(b) * lattice + cell(a)];
-    }
-
-  private:
-    static constexpr std::size_t lattice = 192;
-    struct Sheet {
-        RayPoint origin, u, v;
-        std::vector<double> values;
-    };
-    std::vector<Sheet> sheets_;
-};
-
 struct Truth {
     SurfaceIndex surface = 0;
     Vec3 position = Vec3::Zero();
@@ -112,7 +40,7 @@ struct Reference {
     const Scene& scene;
     const RayScene& rays;
     const std::vector<LightSource>& lamps;
-    const ShownQuickly& shown;
+    const ShownLattices& shown;
     int count;  // of rays
 
     double visible_share(const RayPoint& origin, const RayPoint& normal, const LightSource& lamp,
@@ -219,11 +147,11 @@ std::vector<Truth> spread_points(const Scene& scene, std::size_t count, unsigned
     return points;
 }
 
-void judge(unsigned seed, std::size_t count, int ray_count) {
+void judge(unsigned seed, std::size_t count, int ray_count, double finer) {
     const Scene scene = random_room(seed);
     SolveSettings fine;
-    fine.accuracy = 0.002;
-    fine.time_limit = 60.0;
+    fine.accuracy = finer;
+    fine.time_limit = 90.0;
     const Solution best = solve_scene(scene, fine, {});
     if (!best.error.met()) {
         std::fprintf(stderr, "%u is left out: its truth takes too long\n", seed);
@@ -232,9 +160,8 @@ void judge(unsigned seed, std::size_t count, int ray_count) {
     const MeshLines lines = find_mesh_lines(scene);
     const RayScene rays(scene, lines.overlaps);
     const std::vector<LightSource> lamps = find_light_sources(scene, lines, rays, 1000);
-    const Shown best_shown(scene, best);
-    const ShownQuickly quickly(scene, best_shown, rays);
-    const Reference reference{scene, rays, lamps, quickly, ray_count};
+    const ShownLattices lattices(scene, ShownField(scene, best), rays);
+    const Reference reference{scene, rays, lamps, lattices, ray_count};
     std::vector<Truth> points = spread_points(scene, count, seed);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
         Truth& point = points[k];
@@ -252,12 +179,11 @@ void judge(unsigned seed, std::size_t count, int ray_count) {
         const Solution solution = solve_scene(scene, settings, {});
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        const Shown shown(scene, solution);
+        const ShownField shown(scene, solution);
         double error = 0.0;
         for (const Truth& point : points) {
-            const Rgb& exitance = scene.materials[scene.surfaces[point.surface].material].exitance;
-            const double found = luminance(shown.at(point.surface, point.position) - exitance);
-            error += (found - point.reflected) * (found - point.reflected);
+            const double miss = shown.at(point.surface, point.position) - point.reflected;
+            error += miss * miss;
         }
         std::printf("%u,%g,%.3f,%.5f,%.5f,%d,%.5f,%.5f\n", seed, accuracy, seconds,
                     solution.error.estimate.value_or(-1.0), std::sqrt(error / norm),
@@ -272,15 +198,16 @@ void judge(unsigned seed, std::size_t count, int ray_count) {
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fprintf(stderr, "usage: %s FIRST_SEED ROOMS [POINTS [RAYS]]\n", argv[0]);
+        std::fprintf(stderr, "usage: %s FIRST_SEED ROOMS [POINTS [RAYS [FINER]]]\n", argv[0]);
         return 2;
     }
     const auto first = static_cast<unsigned>(std::atoi(argv[1]));
     const int rooms = std::atoi(argv[2]);
     const std::size_t points = argc > 3 ? static_cast<std::size_t>(std::atoi(argv[3])) : 400;
     const int rays = argc > 4 ? std::atoi(argv[4]) : 65536;
+    const double finer = argc > 5 ? std::atof(argv[5]) : 0.002;
     std::printf("seed,accuracy,seconds,estimate,true,met,mesh,form_factors\n");
     for (int k = 0; k < rooms; ++k)
-        patchlight::judge(first + static_cast<unsigned>(k), points, rays);
+        patchlight::judge(first + static_cast<unsigned>(k), points, rays, finer);
     return 0;
 }
