@@ -18,7 +18,8 @@ struct Excuse {
 
 /// Notes that `column` meets failure mode `mode` with an error of `measured`: it holds where that
 /// is no more than `required`, degrades where the excuse covers it, and else the test fails, as it
-/// does where `measured` is no number.
+/// does where `measured` is no number. A solve to an accuracy owes no more than it was asked for:
+/// what excuses it is what it is held to.
 void judge(const std::string& mode, const Column& column, double measured, double required,
            const Excuse& excuse = {});
 
