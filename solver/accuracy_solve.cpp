@@ -1,5 +1,5 @@
 #include "solver/accuracy/energy.h"
-#include "solver/accuracy/gathered_light.h"
+#include "solver/accuracy/next_aim.h"
 #include "solver/display/sensor_light.h"
 #include "solver/display/vertex_radiosity.h"
 #include "solver/form_factors/outside_rays.h"
@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace patchlight {
 
@@ -19,7 +20,6 @@ namespace {
 
 /// Shares of the target that causes of error are planned to have. What they come to is measured.
 constexpr double direct_share = 0.25, indirect_share = 0.20, noise_share = 0.34;
-constexpr double planned = 0.8;             // of the target: all causes together, measured
 constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
 constexpr double uncorrected = 2.0;         // times a change that could not be sent on
 constexpr double coarser = 2.0;             // times the target, in the rounds before the last
@@ -31,6 +31,7 @@ constexpr double first_for = 0.64;                        // samples of each lam
 constexpr int most_first = 512;
 constexpr double promising = 0.9;  // of the target: worth more points
 constexpr int most_checks = 8;
+constexpr std::size_t vertices_per_check = 8;
 constexpr int most_rounds = 12;
 constexpr int fewest_rays = 96, most_rays = 1 << 15;  // multiples of 32
 constexpr int probe_rays = 64;
@@ -42,7 +43,8 @@ class AccuracySolve {
           solution_(stage.solution),
           target_(*stage.solution.settings.accuracy),
           light_(stage.scene, solution_.mesh, stage.rays, lines, seed(0x76657274),
-                 [this] { return go_on(); }) {}
+                 [this] { return go_on(); }),
+          next_aim_(target_) {}
 
     void run();
 
@@ -61,6 +63,7 @@ class AccuracySolve {
     bool gather(double coarseness);
     void measure();
     void aim_closer();
+    bool is_settling();
     void settle();
     void account();
     void finish();
@@ -76,6 +79,8 @@ class AccuracySolve {
     std::unique_ptr<FormFactorEngine> engine_;
     std::unique_ptr<CoarseTransport> transport_;
     GatherAim aim_;
+    NextAim next_aim_;
+    double last_correction_ = std::numeric_limits<double>::infinity();
     std::optional<CheckReport> checks_;
 };
 
@@ -122,6 +127,8 @@ void AccuracySolve::measure() {
     CheckEffort effort;
     effort.direct = {std::max(64, 2 * aim_.effort.first), 2 * aim_.effort.most};
     effort.rays = std::clamp(aim_.rays, 256, 4096);
+    effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
+        light_.pass().indirect().gathered() / vertices_per_check, 384, 4096));
     const bool corrected = solution_.settings.method != Method::shooting;
     const double coarse = (corrected ? left_by_correction : uncorrected) * light_.correction();
     const ReflectedLight reflected = light_.reflected();
@@ -141,37 +148,29 @@ void AccuracySolve::measure() {
     }
 }
 
-/// What was missed by more than its share, or by most of it, may be missed less; where noise is the
-/// most of it, more rays.
 void AccuracySolve::aim_closer() {
-    const double norm = light_.norm(), allowed = planned * target_ / std::sqrt(2.0);
-    const double direct = passed_on * checks_->direct.at_most(1.0) / norm,
-                 indirect = passed_on * checks_->indirect.at_most(1.0) / norm;
-    const auto closer = [&](double missed) { return std::clamp(0.8 * allowed / missed, 0.3, 0.8); };
-    if (direct > allowed || direct > indirect) {
-        aim_.direct *= closer(direct);
-        aim_.effort.first = std::min(2 * aim_.effort.first, most_first);
-    }
-    aim_.keep_indirect = indirect <= allowed && indirect < direct;
-    if (aim_.keep_indirect) return;
-    const double scale = closer(indirect);
-    const double noise = passed_on * light_.pass().indirect_noise() / norm;
-    const bool noisy = noise > 0.5 * indirect;
-    const double less = noisy ? scale : std::sqrt(scale);  // it may be more than halves tell
-    aim_.rays =
-        light_.noise().rays_for(less * light_.noise().absolute(aim_.rays), fewest_rays, most_rays);
-    if (!noisy) aim_.indirect *= scale;
+    const double over_norm = passed_on / light_.norm();
+    const RoundErrors errors{
+        over_norm * checks_->direct.at_most(1.0), over_norm * checks_->indirect.at_most(1.0),
+        over_norm * light_.pass().indirect_noise(),
+        over_norm * light_.pass().indirect().expected_miss(), light_.correction()};
+    const auto rays_for = [&](double less) {
+        return light_.noise().rays_for(less * light_.noise().absolute(aim_.rays), fewest_rays,
+                                       most_rays);
+    };
+    next_aim_.after(errors, rays_for, aim_);
+}
+
+/// Whether what rays read still changes, so that one more round alone brings the error down.
+bool AccuracySolve::is_settling() {
+    const double before = std::exchange(last_correction_, light_.correction());
+    return last_correction_ > settled * target_ && last_correction_ < still_settling * before;
 }
 
 /// Rounds that cost little, until they change little.
 void AccuracySolve::settle() {
-    double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < most_rounds; ++round) {
-        if (!gather(coarser)) return;
-        if (light_.correction() <= settled * target_) return;
-        if (light_.correction() > still_settling * before) return;
-        before = light_.correction();
-    }
+    for (int round = 0; round < most_rounds; ++round)
+        if (!gather(coarser) || !is_settling()) return;
 }
 
 void AccuracySolve::run() {

@@ -19,7 +19,8 @@ namespace {
 constexpr double default_accuracy = 0.02;
 constexpr int default_analytic_rays = 1024;
 constexpr int coarse_analytic_rays = 256;  // where the display is gathered anew
-constexpr double coarse_patches = 300.0;
+constexpr double fewest_coarse_patches = 40.0, most_coarse_patches = 300.0;
+constexpr double coarse_patch_share = 3.0;  // of a coarse solution's patches, over the accuracy
 constexpr std::size_t most_matrix_patches = 8000;  // of a coarse solution: more take too long
 constexpr int default_cast_rays = 4096;
 constexpr double default_tolerance = 1e-4;
@@ -107,6 +108,11 @@ void choose_method(const Scene& scene, SolveSettings& s) {
     s.method = Method::shooting;
 }
 
+/// A coarse solution need not be finer than what is gathered from it.
+double coarse_patches_for(double accuracy) {
+    return std::clamp(coarse_patch_share / accuracy, fewest_coarse_patches, most_coarse_patches);
+}
+
 }  // namespace
 
 SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
@@ -116,7 +122,8 @@ SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
     SolveSettings& s = plan.settings;
     if (!s.accuracy && !is_set_by_hand(s)) s.accuracy = default_accuracy;
     if (!s.patch_size)
-        s.patch_size = patch_size_for(scene, s.accuracy ? coarse_patches : hand_set_patches);
+        s.patch_size =
+            patch_size_for(scene, s.accuracy ? coarse_patches_for(*s.accuracy) : hand_set_patches);
     if (!s.memory_limit) s.memory_limit = machine_memory();
     choose_method(scene, s);
     const bool shoots = s.method == Method::shooting;

@@ -12,6 +12,8 @@ namespace patchlight {
 namespace {
 constexpr double rounding = 1e-9;      // of what is given off, hardly a reflection [1]
 constexpr double left_of_bends = 0.3;  // that triangles miss, beside what gathering may miss [1]
+/// Of direct light, where something shades: at first, and over the root of its aim.
+constexpr double first_elements = 4000.0, root_elements = 400.0, most_elements = 8000.0;
 constexpr double correction_tolerance = 0.1;  // of a correction that is itself small [1]
 }  // namespace
 
@@ -47,12 +49,12 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     coarse_.emplace(scene_, mesh_, transport, other_exitance_);
     if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
         exact_direct_ = to_rgb(*once);
-    if (!pass_.refine_direct(whatever_is_missed, effort)) return false;
+    if (!pass_.refine_direct({whatever_is_missed, first_elements}, effort)) return false;
     return solve_coarse(tolerance, observe);
 }
 
 bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observe& observe) {
-    direct_means_ = means().direct;
+    direct_means_ = means_of(pass_.show({})).direct;
     return coarse_->solve(direct_means_, tolerance, observe);
 }
 
@@ -78,8 +80,8 @@ double GatheredLight::norm() const {
 
 /// Means over patches: direct light of those that nothing can shade from the matrix, where it is
 /// exact.
-SplitIrradiance GatheredLight::means() {
-    SplitIrradiance means = patch_means(pass_.show({}), mesh_.size());
+SplitIrradiance GatheredLight::means_of(const TreeDisplay& shown) const {
+    SplitIrradiance means = patch_means(shown, mesh_.size());
     if (exact_direct_.empty()) return means;
     for (PatchIndex i = 0; i < mesh_.size(); ++i)
         if (!pass_.points().may_be_shaded(i)) means.direct[i] = exact_direct_[i];
@@ -99,6 +101,23 @@ FieldTable GatheredLight::table_of(const TreeDisplay& shown) const {
     return {mesh_, shown.display, rays_, values};
 }
 
+std::shared_ptr<const ReflectedField> GatheredLight::make_field(FieldTable table) const {
+    return std::make_shared<const ReflectedField>(scene_, mesh_, rays_, locator_, std::move(table));
+}
+
+/// What rays of the next round read: what is displayed, with direct light as it is known by now.
+void GatheredLight::read_newest() {
+    read_ = field_;
+    read_means_ = field_means_;
+    if (!shown_ || pass_.direct().gathered() == direct_shown_) return;
+    const TreeDisplay newest = pass_.show(correction_.irradiance);
+    const SplitIrradiance arriving = means_of(newest);
+    read_ = make_field(table_of(newest));
+    for (std::size_t i = 0; i < read_means_.size(); ++i)
+        read_means_[i] = other_exitance_[i] +
+                         coarse_->reflectance()[i] * (arriving.direct[i] + arriving.indirect[i]);
+}
+
 /// Rays read direct light as finely as it is known, and the rest from the coarse solution.
 void GatheredLight::read_coarse() {
     const TreeDisplay shown = pass_.show({});
@@ -109,7 +128,7 @@ void GatheredLight::read_coarse() {
         rest[i] -= other_exitance_[i] + coarse_->reflectance()[i] * direct[i];
     FieldTable table = table_of(shown);
     add_sloped(scene_, mesh_, rest, backs_, table);
-    field_.emplace(scene_, mesh_, rays_, locator_, std::move(table));
+    field_ = make_field(std::move(table));
 }
 
 const GatherNoise& GatheredLight::noise() {
@@ -120,26 +139,32 @@ const GatherNoise& GatheredLight::noise() {
 
 bool GatheredLight::gather(const GatherAim& aim, double tolerance,
                            const CoarseTransport::Observe& observe) {
-    if (!pass_.refine_direct(aim.direct * norm(), aim.effort)) return false;
+    const DisplayPass::Aim direct{aim.direct * norm(),
+                                  std::min(most_elements, root_elements / std::sqrt(aim.direct))},
+        indirect{aim.indirect * norm(), 1.0 / aim.indirect};
+    if (!pass_.refine_direct(direct, aim.effort)) return false;
     if (!shown_) {
         const bool by_matrix = !exact_direct_.empty();  // shooting once more takes too long
         if (by_matrix && !solve_coarse(tolerance, observe)) return false;
         read_coarse();
     }
-    if (!aim.keep_indirect) {
+    if (aim.gathered == GatherAim::Indirect::anew) {
+        read_newest();
         pass_.restart_indirect();
-        read_means_ = field_means_;
-        if (!pass_.refine_indirect(aim.indirect * norm(), *field_, aim.rays)) return false;
     }
+    if (aim.gathered != GatherAim::Indirect::kept &&
+        !pass_.refine_indirect(indirect, *read_, aim.rays))
+        return false;
     pass_.show_bends(left_of_bends * std::hypot(aim.direct, aim.indirect) * norm());
-    const SplitIrradiance gathered = means();
+    const SplitIrradiance gathered = means_of(pass_.show({}));
     std::vector<Rgb> change = other_exitance_;
     for (std::size_t i = 0; i < change.size(); ++i)
         change[i] += coarse_->reflectance()[i] * (gathered.direct[i] + gathered.indirect[i]) -
                      read_means_[i];
     correction_ = coarse_->correct(change, correction_tolerance);
     shown_ = pass_.show(correction_.irradiance);
-    field_.emplace(scene_, mesh_, rays_, locator_, table_of(*shown_));
+    field_ = make_field(table_of(*shown_));
+    direct_shown_ = pass_.direct().gathered();
     direct_means_ = gathered.direct;
     const SplitIrradiance corrected = patch_means(*shown_, mesh_.size());
     for (std::size_t i = 0; i < change.size(); ++i) {

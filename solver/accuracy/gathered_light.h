@@ -6,6 +6,7 @@
 #include "solver/accuracy/gather_noise.h"
 #include "solver/display/display_pass.h"
 
+#include <memory>
 #include <optional>
 
 namespace patchlight {
@@ -14,13 +15,17 @@ namespace patchlight {
 struct GatherAim {
     double direct = 0.0, indirect = 0.0;  // that interpolation may miss of either, over `norm` [1]
     DirectEffort effort;
-    int rays = 32;               // at a point
-    bool keep_indirect = false;  // as the round before gathered it: only direct light is refined
+    int rays = 32;  // at a point
+    enum class Indirect {
+        anew,    // reads what was displayed before
+        joined,  // to what the round before gathered: more rays, finer
+        kept,    // as the round before gathered it: only direct light is refined
+    };
+    Indirect gathered = Indirect::anew;
 };
 
 /// The light of a scene as it is displayed, and the coarse solution behind it. Each round gathers
-/// anew from what the round before displayed, and sends on with the coarse transport what that
-/// changed.
+/// from what a round before displayed, and sends on with the coarse transport what that changed.
 class GatheredLight {
   public:
     GatheredLight(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
@@ -44,7 +49,7 @@ class GatheredLight {
 
     const TreeDisplay* shown() const { return shown_ ? &*shown_ : nullptr; }
     const std::vector<Rgb>& irradiance() const { return irradiance_; }  // means of patches [W/m²]
-    const ReflectedField* field() const { return field_ ? &*field_ : nullptr; }
+    const ReflectedField* field() const { return field_.get(); }
     const GatherNoise& noise();  // measured when first asked for
     const DisplayPass& pass() const { return pass_; }
     /// The coarse solution, once there is one.
@@ -54,10 +59,12 @@ class GatheredLight {
   private:
     void sort_exitance();
     double hardly_any() const;
-    SplitIrradiance means();
+    SplitIrradiance means_of(const TreeDisplay& shown) const;
     FieldTable table_of(const TreeDisplay& shown) const;
     bool solve_coarse(double tolerance, const CoarseTransport::Observe& observe);
+    std::shared_ptr<const ReflectedField> make_field(FieldTable table) const;
     void read_coarse();
+    void read_newest();
 
     const Scene& scene_;
     const PatchMesh& mesh_;
@@ -69,14 +76,14 @@ class GatheredLight {
     std::vector<Rgb> listed_exitance_;  // per patch, of sources gathered from one by one [W/m²]
     std::vector<Rgb> other_exitance_;   // per patch: of the rest, which rays read [W/m²]
     std::optional<CoarseSolution> coarse_;
-    std::optional<ReflectedField> field_;
-    std::vector<Rgb> field_means_;   // per patch, of what is displayed [W/m²]
-    std::vector<Rgb> read_means_;    // per patch, of what the rays of the last round read [W/m²]
+    std::shared_ptr<const ReflectedField> field_, read_;  // displayed; what rays read
+    std::vector<Rgb> field_means_, read_means_;           // of both, per patch [W/m²]
     std::vector<Rgb> direct_means_;  // per patch, straight from sources [W/m²]
     std::vector<Rgb> exact_direct_;  // the same by the matrix; right where nothing can shade
     std::vector<Rgb> irradiance_;
     CoarseSolution::Correction correction_;
     std::optional<TreeDisplay> shown_;
+    std::size_t direct_shown_ = 0;  // vertices where direct light was gathered, when it was shown
     std::optional<GatherNoise> noise_;
 };
 

@@ -13,8 +13,7 @@ namespace {
 /// The rest are as good as bright walls to rays.
 constexpr std::size_t fewest_sources = 8, most_sources = 256;
 constexpr std::size_t most_source_pairs = 4'000'000;
-constexpr int most_rays = 1 << 16;  // of one point
-constexpr std::size_t few_patches = 20'000;
+constexpr int most_rays = 1 << 16;     // of one point
 constexpr double expected_miss = 0.5;  // of indirect light's target, however smooth it looks [1]
 constexpr int most_bend_cuts = 2;      // each leaves a quarter
 constexpr double parabola_over_line = 8.0 / 15.0;  // mean square beside that in the middle [1]
@@ -54,8 +53,9 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
       rays_(rays),
       gather_(rays, find_light_sources(scene, lines, rays, sources_for(mesh.size())), most_rays),
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
+      near_lights_(scene, mesh, gather_.sources()),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
-    restart_direct();
+    direct_.emplace(tree_.vertices().size());
     restart_indirect();
     for (const Patch& patch : mesh.patches) {
         if (!patch.covered) area_ += patch.area;
@@ -64,27 +64,39 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
     }
 }
 
-bool DisplayPass::refine_direct(double target, const DirectEffort& effort) {
+bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
     IrradianceLayer::Rule rule;
-    rule.target = target;
-    // A shadow may lie between corners that see the source.
-    if (mesh_.size() <= few_patches) {
-        rule.least_levels = 2;
-        rule.must_look = [&](PatchIndex i) { return points_.may_be_shaded(i); };
-    }
+    rule.target = aim.target;
+    // A shadow may lie between corners that see the source, and light between ones that do not.
+    rule.must_cut = [&](const TreeElement& element) {
+        return (element.area > area_ / aim.elements && points_.may_be_shaded(element.patch)) ||
+               near_lights_.may_hide_spot(tree_, element);
+    };
     rule.follow = true;
     return direct_->refine(tree_, weight_, rule,
                            [&](auto vertices) { return points_.direct(tree_, vertices, effort); });
 }
 
-bool DisplayPass::refine_indirect(double target, const ReflectedField& field, int rays) {
-    IrradianceLayer::Rule rule;
-    rule.target = target;
-    if (!indirect_->refine(tree_, weight_, rule, [&](auto vertices) {
-            return points_.indirect(tree_, vertices, field, rays);
-        }))
+void DisplayPass::restart_indirect() {
+    indirect_.emplace(tree_.vertices().size());
+    indirect_rays_ = 0;
+}
+
+bool DisplayPass::refine_indirect(const Aim& aim, const ReflectedField& field, int rays) {
+    const auto gather = [&](int first) {
+        return [this, &field, first, rays](std::span<const std::uint32_t> vertices) {
+            return points_.indirect(tree_, vertices, field, first, rays);
+        };
+    };
+    if (indirect_rays_ > 0 && indirect_rays_ < rays &&
+        !indirect_->join(gather(indirect_rays_), 1.0 - static_cast<double>(indirect_rays_) / rays))
         return false;
-    indirect_->smooth(tree_, weight_, expected_miss * target / std::sqrt(area_));
+    indirect_rays_ = rays;
+    IrradianceLayer::Rule rule;
+    rule.target = aim.target;
+    rule.must_cut = [&](const TreeElement& element) { return element.area > area_ / aim.elements; };
+    if (!indirect_->refine(tree_, weight_, rule, gather(0))) return false;
+    indirect_->smooth(tree_, weight_, expected_miss * aim.target / std::sqrt(area_));
     return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/display/irradiance_layer.h"
+#include "solver/display/near_lights.h"
 #include "solver/display/tree_display.h"
 #include "solver/display/vertex_gather.h"
 
@@ -21,11 +22,17 @@ class DisplayPass {
                 const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on);
 
     /// √∫ Y² dA of what interpolation may miss [W/m]. False if the work was stopped.
-    bool refine_direct(double target, const DirectEffort& effort);
-    bool refine_indirect(double target, const ReflectedField& field, int rays);
-    /// Forgets what was gathered, so that it is gathered anew with more rays.
-    void restart_direct() { direct_.emplace(tree_.vertices().size()); }
-    void restart_indirect() { indirect_.emplace(tree_.vertices().size()); }
+    struct Aim {
+        double target = 0.0;    // √∫ Y² dA of what interpolation may miss [W/m]
+        double elements = 1.0;  // the scene's area is cut in as many at least, for what hides [1]
+    };
+    /// False if the work was stopped. No more elements than needed where nothing can shade.
+    bool refine_direct(const Aim& aim, const DirectEffort& effort);
+    /// Where vertices were gathered with fewer rays before, the rest is joined to them: with the
+    /// same field.
+    bool refine_indirect(const Aim& aim, const ReflectedField& field, int rays);
+    /// Forgets what was gathered, so that it is gathered anew.
+    void restart_indirect();
 
     /// Cuts the tree until triangles miss no more of how the field bends between what was gathered
     /// than √∫ Y² dA [W/m].
@@ -46,8 +53,10 @@ class DisplayPass {
     const RayScene& rays_;
     PointGather gather_;
     VertexGather points_;
+    NearLights near_lights_;
     RefinementTree tree_;
     std::optional<IrradianceLayer> direct_, indirect_;
+    int indirect_rays_ = 0;    // of each vertex so far
     double area_ = 0.0;        // of what is not covered [m²]
     std::vector<Rgb> weight_;  // per patch, of irradiance that is missed [1]
 };

@@ -122,19 +122,19 @@ struct PointGather::Excess {
 };
 
 PointGather::Indirect PointGather::indirect(const GatherPoint& point, const ReflectedField& field,
-                                            int count, std::uint64_t key) const {
+                                            int first, int end, std::uint64_t key) const {
     const float ratio = field.has_excess() ? 1.0f / samples_per_ray : 0.0f;
     const auto word = [&](std::uint64_t k) { return static_cast<std::uint32_t>(mix(key, k)); };
     const RayFrame frame = frame_about(point.normal.cast<float>());
     const Hemisphere hemisphere{*this, point, field, {word(0), word(1)}, frame, ratio};
     const Excess excess{*this, point, field, {word(2), word(3), word(4)}, frame.normal, ratio};
-    const int half = count / 2;
+    const int half = (end - first) / 2;
     std::array<Rgb, 2> parts;
     for (int h = 0; h < 2; ++h) {
-        Sum sum = hemisphere.sum(h * half, (h + 1) * half);
+        const int from = first + h * half, to = from + half;
+        Sum sum = hemisphere.sum(from, to);
         if (ratio > 0.0f) {
-            const Sum more =
-                excess.sum(h * half / samples_per_ray, (h + 1) * half / samples_per_ray);
+            const Sum more = excess.sum(from / samples_per_ray, to / samples_per_ray);
             for (std::size_t c = 0; c < 3; ++c) sum[c] += more[c];
         }
         parts[static_cast<std::size_t>(h)] = mean(sum, half);

@@ -22,6 +22,7 @@ constexpr int most_follows = 4;  // times that all elements are looked at for fi
 constexpr double by_chance =
     1.0;  // of the mean noise, that three squares of it often go beyond [1]
 constexpr double bilinear_noise = 4.0 / 9.0;  // mean over an element beside that at corners [1]
+constexpr double variance_decay = 1.44;       // see indirect_gather.cpp
 constexpr double mean_square = 0.5;  // of the miss over an element beside that at its middles [1]
 
 }  // namespace
@@ -134,8 +135,27 @@ void IrradianceLayer::follow_neighbours(const RefinementTree& tree, const Rule& 
     kept = std::move(left);
 }
 
+/// Of scrambled sequences the variance falls with the power `variance_decay` of their length; both
+/// parts tell what that of the whole is.
+bool IrradianceLayer::join(const Gather& gather, double share) {
+    likely_.clear();
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t v = 0; v < value_.size(); ++v)
+        if (known_[v]) vertices.push_back(v);
+    const std::vector<Gathered> more = gather(vertices);
+    const double of_first = 0.5 * std::pow(1.0 - share, variance_decay),
+                 of_more = 0.5 * std::pow(share, variance_decay);
+    for (std::size_t k = 0; k < more.size(); ++k) {
+        const std::uint32_t v = vertices[k];
+        value_[v] = (1.0 - share) * value_[v] + share * more[k].value;
+        variance_[v] = of_first * variance_[v] + of_more * more[k].variance;
+    }
+    return more.size() == vertices.size();
+}
+
 bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& reflectance,
                              const Rule& rule, const Gather& gather) {
+    likely_.clear();
     const auto of = [&](std::uint32_t e) -> const Rgb& {
         return reflectance[tree.elements()[e].patch];
     };
@@ -144,8 +164,10 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
         for (std::uint32_t e = 0; e < tree.elements().size(); ++e)
             if (tree.elements()[e].level == 0) roots.push_back(e);
         if (!learn(tree, roots, gather)) return false;
-        for (const std::uint32_t e : roots)
-            leaves_.push_back({e, root_miss(tree.elements()[e], of(e)), 0.0, 0.0});
+        for (const std::uint32_t e : roots) {
+            const double miss = root_miss(tree.elements()[e], of(e));
+            leaves_.push_back({e, miss, miss, 0.0});
+        }
     }
     const double budget = rule.target * rule.target;
     double area = 0.0;
@@ -153,7 +175,7 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
         if (element.level == 0) area += element.area;
     const double peak = highest_peak * highest_peak * budget / area;
     const auto must_cut = [&](const TreeElement& element) {
-        return element.level < rule.least_levels && rule.must_look(element.patch);
+        return element.level < rule.most_levels && rule.must_cut(element);
     };
     int follows = rule.follow ? most_follows : 0;
     for (;;) {
@@ -203,7 +225,7 @@ double IrradianceLayer::noise(const RefinementTree& tree) const {
 void IrradianceLayer::smooth(const RefinementTree& tree, const std::vector<Rgb>& reflectance,
                              double least_miss) {
     grow(tree);
-    value_ = likely_field(tree, {value_, variance_, known_, reflectance}, least_miss);
+    likely_ = likely_field(tree, {value_, variance_, known_, reflectance}, least_miss);
 }
 
 std::vector<Rgb> IrradianceLayer::at_all(const RefinementTree& tree) const {
@@ -211,7 +233,7 @@ std::vector<Rgb> IrradianceLayer::at_all(const RefinementTree& tree) const {
     for (std::uint32_t v = 0; v < values.size(); ++v) {
         const TreeVertex& vertex = tree.vertices()[v];
         if (known(v))
-            values[v] = value_[v];
+            values[v] = v < likely_.size() ? likely_[v] : value_[v];
         else if (vertex.parent_count > 0)
             values[v] = curved_mean(tree, vertex, values);
     }

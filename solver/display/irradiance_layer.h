@@ -25,8 +25,8 @@ class IrradianceLayer {
         double target = 0.0;   // of the radiosity's error, √∫ Y² dA [W/m]
         double noise = 0.0;    // variance of one gathered value relative to its square [1]
         int most_levels = 10;  // below roots
-        int least_levels = 0;  // where `must_look` says so
-        std::function<bool(PatchIndex)> must_look = {};
+        /// Elements that are cut whatever is found at their vertices.
+        std::function<bool(const TreeElement&)> must_cut = [](const TreeElement&) { return false; };
         bool follow = false;  // look, too, where an element beside was cut twice as fine
         std::size_t most_vertices = 2'000'000;
     };
@@ -41,8 +41,10 @@ class IrradianceLayer {
     bool refine(RefinementTree& tree, const std::vector<Rgb>& reflectance, const Rule& rule,
                 const Gather& gather);
 
-    /// Replaces what was gathered by the most likely field behind it (likely_field.h): after the
-    /// last refinement.
+    /// More samples, `share` of all there will be then, at every vertex that is known. False if
+    /// the work was stopped.
+    bool join(const Gather& gather, double share);
+    /// Shows the most likely field behind what was gathered (likely_field.h), until that changes.
     void smooth(const RefinementTree& tree, const std::vector<Rgb>& reflectance, double least_miss);
     /// The value at every vertex of the tree: interpolated where none was gathered.
     std::vector<Rgb> at_all(const RefinementTree& tree) const;
@@ -75,7 +77,8 @@ class IrradianceLayer {
     Miss miss(std::uint32_t vertex, const Rgb& expected, double noise,
               const Rgb& reflectance) const;
 
-    std::vector<Rgb> value_;        // per vertex [W/m²]
+    std::vector<Rgb> value_;        // per vertex, as gathered [W/m²]
+    std::vector<Rgb> likely_;       // the field behind it; or empty
     std::vector<double> variance_;  // per vertex [W²/m⁴]
     std::vector<bool> known_;       // per vertex: gathered
     std::vector<Leaf> leaves_;      // in the order of the tree's elements

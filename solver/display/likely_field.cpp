@@ -9,6 +9,7 @@ namespace patchlight {
 namespace {
 
 constexpr int most_steps = 40;
+constexpr int excess_passes = 2;       // means over elements of what bonds miss beyond the noise
 constexpr double small_enough = 1e-3;  // of the residual at first [1]
 
 /// u at a vertex less what is expected of it, as a sum over vertices; the first is the vertex.
@@ -43,6 +44,8 @@ class Smoothing {
     void spread_variance();
     void bind();
     void loosen();
+    std::vector<double> excess() const;
+    std::vector<double> evened(const std::vector<double>& of_bonds) const;
     std::vector<Rgb> times_system(const std::vector<Rgb>& u) const;
     bool is_bound(std::uint32_t v) const { return bond_of_[v] != RefinementTree::none; }
 
@@ -117,10 +120,9 @@ void Smoothing::bind() {
     }
 }
 
-/// τ² of each bond: what it misses beyond the noise, on average over the middles of an element.
-void Smoothing::loosen() {
-    std::vector<double> excess(bonds_.size(), 0.0), sum(bonds_.size(), 0.0),
-        count(bonds_.size(), 0.0);
+/// What each bond misses beyond the noise, squared; less than nothing by chance.
+std::vector<double> Smoothing::excess() const {
+    std::vector<double> excess(bonds_.size(), 0.0);
     for (std::size_t b = 0; b < bonds_.size(); ++b) {
         const Bond& bond = bonds_[b];
         const PatchIndex patch = tree_.vertices()[bond.vertex[0]].patch;
@@ -130,6 +132,12 @@ void Smoothing::loosen() {
             noise += bond.weight[k] * bond.weight[k] * variance_[bond.vertex[k]];
         excess[b] = missed * missed - noise;
     }
+    return excess;
+}
+
+/// Each bond's own is one square: means over the middles of the elements it belongs to.
+std::vector<double> Smoothing::evened(const std::vector<double>& of_bonds) const {
+    std::vector<double> sum(bonds_.size(), 0.0), count(bonds_.size(), 0.0);
     for (const TreeElement& element : tree_.elements()) {
         if (element.is_leaf()) continue;
         std::array<std::uint32_t, 5> middles{};
@@ -140,16 +148,23 @@ void Smoothing::loosen() {
         for (std::size_t k = 0; k < element.corner_count(); ++k) take(tree_.middle(element, k));
         take(tree_.centre(element));
         double mean = 0.0;
-        for (std::size_t k = 0; k < n; ++k) mean += excess[middles[k]] / static_cast<double>(n);
+        for (std::size_t k = 0; k < n; ++k) mean += of_bonds[middles[k]] / static_cast<double>(n);
         for (std::size_t k = 0; k < n; ++k) {
             sum[middles[k]] += mean;
             count[middles[k]] += 1.0;
         }
     }
-    for (std::size_t b = 0; b < bonds_.size(); ++b) {
-        const double own = count[b] > 0.0 ? sum[b] / count[b] : excess[b];
-        bonds_[b].tightness = 1.0 / (std::max(own, 0.0) + least_square_ + 1e-300);
-    }
+    for (std::size_t b = 0; b < sum.size(); ++b)
+        sum[b] = count[b] > 0.0 ? sum[b] / count[b] : of_bonds[b];
+    return sum;
+}
+
+/// τ² of each bond.
+void Smoothing::loosen() {
+    std::vector<double> missed = excess();
+    for (int pass = 0; pass < excess_passes; ++pass) missed = evened(missed);
+    for (std::size_t b = 0; b < bonds_.size(); ++b)
+        bonds_[b].tightness = 1.0 / (std::max(missed[b], 0.0) + least_square_ + 1e-300);
 }
 
 std::vector<Rgb> Smoothing::times_system(const std::vector<Rgb>& u) const {

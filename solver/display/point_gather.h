@@ -51,6 +51,12 @@ class PointGather {
     /// samples of it are joined to them with the balance heuristic (Veach & Guibas, "Optimally
     /// Combining Sampling Techniques for Monte Carlo Rendering", 1995).
     Indirect indirect(const GatherPoint& point, const ReflectedField& field, int count,
+                      std::uint64_t key) const {
+        return indirect(point, field, 0, count, key);
+    }
+    /// The same by rays [first, end) of the sequence, multiples of 32: the mean of [0, n) and
+    /// [n, 2 n) is that of [0, 2 n).
+    Indirect indirect(const GatherPoint& point, const ReflectedField& field, int first, int end,
                       std::uint64_t key) const;
 
   private:

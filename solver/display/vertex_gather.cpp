@@ -84,12 +84,12 @@ std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& t
 
 std::vector<VertexGather::Gathered> VertexGather::indirect(const RefinementTree& tree,
                                                            std::span<const std::uint32_t> vertices,
-                                                           const ReflectedField& field,
-                                                           int rays) const {
+                                                           const ReflectedField& field, int first,
+                                                           int end) const {
     return each(vertices.size(), [&](std::size_t k) {
         const TreeVertex& vertex = tree.vertices()[vertices[k]];
         const PointGather::Indirect found = gather_.indirect(
-            point(vertex.patch, vertex.position), field, rays, mix(seed_ + 1, vertices[k]));
+            point(vertex.patch, vertex.position), field, first, end, mix(seed_ + 1, vertices[k]));
         const Material& material =
             scene_.materials[scene_.surfaces[surface_of(vertex.patch)].material];
         return Gathered{found.irradiance, found.variance(material.reflectance)};

@@ -23,9 +23,10 @@ class VertexGather {
     std::vector<Gathered> direct(const RefinementTree& tree,
                                  std::span<const std::uint32_t> vertices,
                                  const DirectEffort& effort) const;
+    /// By rays [first, end) of each vertex' sequence, multiples of 32.
     std::vector<Gathered> indirect(const RefinementTree& tree,
                                    std::span<const std::uint32_t> vertices,
-                                   const ReflectedField& field, int rays) const;
+                                   const ReflectedField& field, int first, int end) const;
 
     /// A point of patch i, moved a little towards its centre so that no ray starts on the edge of
     /// another surface.

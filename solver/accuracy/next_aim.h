@@ -1,0 +1,39 @@
+#pragma once
+
+#include "solver/accuracy/gathered_light.h"
+
+#include <limits>
+
+namespace patchlight {
+
+/// What a round of gathering missed, over `norm`, as it counts in the estimate [1].
+struct RoundErrors {
+    double direct = 0.0, indirect = 0.0;  // measured at check points
+    double noise = 0.0, bent = 0.0;       // of `indirect`, what rays and interpolation explain
+    double correction = 0.0;              // what the round changed
+};
+
+/// What the next round aims at, where the one before missed the target.
+class NextAim {
+  public:
+    explicit NextAim(double target) : target_(target) {}
+
+    /// What was missed by more than its share, or by most of it, may be missed less; where noise is
+    /// the most of it, more rays, of which `rays_for` tells the number for a noise that much less.
+    /// They join those there are where the light they read was nearly right. Where noise and bends
+    /// do not explain what was missed, that light was wrong, and one more round alone may do.
+    template <typename RaysFor>
+    void after(const RoundErrors& errors, const RaysFor& rays_for, GatherAim& aim) {
+        const double less = tighten(errors, aim);
+        if (less < 1.0) aim.rays = rays_for(less);
+    }
+
+  private:
+    /// Of the noise, what there may be; 1: as much as there is.
+    double tighten(const RoundErrors& errors, GatherAim& aim);
+
+    double target_;
+    double last_indirect_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace patchlight

@@ -1,0 +1,87 @@
+#include "solver/display/near_lights.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace patchlight {
+
+namespace {
+
+double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
+    const Vec3 along = b - a;
+    const double t = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (a + t * along - p).norm();
+}
+
+double distance_to(const ConvexPolygon& polygon, const Vec3& normal, const Vec3& p) {
+    double nearest = std::numeric_limits<double>::infinity();
+    bool above = true;
+    for (std::size_t k = 0; k < polygon.size; ++k) {
+        const Vec3 &a = polygon.corners[k], &b = polygon.corners[(k + 1) % polygon.size];
+        nearest = std::min(nearest, distance_to_edge(p, a, b));
+        above = above && (b - a).cross(p - a).dot(normal) >= 0.0;
+    }
+    return above ? std::abs((p - polygon.corners[0]).dot(normal)) : nearest;
+}
+
+double narrow_side(const ConvexPolygon& polygon) {
+    double longest = 0.0;
+    for (std::size_t k = 0; k < polygon.size; ++k)
+        for (std::size_t l = 0; l < k; ++l)
+            longest = std::max(longest, (polygon.corners[k] - polygon.corners[l]).norm());
+    return longest > 0.0 ? vector_area(polygon.view()).norm() / longest : 0.0;
+}
+
+}  // namespace
+
+NearLights::NearLights(const Scene& scene, const PatchMesh& mesh,
+                       const std::vector<LightSource>& sources)
+    : scene_(scene), mesh_(mesh), near_(mesh.size()) {
+    for (const LightSource& source : sources)
+        lights_.push_back({&source, narrow_side(source.polygon)});
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        const Patch& patch = mesh.patches[i];
+        Disc disc{patch.centre, scene.surfaces[patch.surface].normal, 0.0};
+        for (const std::uint32_t v : patch.vertices)
+            disc.radius = std::max(disc.radius, (mesh.vertices[v] - patch.centre).norm());
+        for (std::uint32_t l = 0; l < lights_.size(); ++l)
+            if (hides_spot(disc, lights_[l])) near_[i].push_back(l);
+    }
+}
+
+bool NearLights::hides_spot(const Disc& disc, const Light& light) {
+    const ConvexPolygon& polygon = light.source->polygon;
+    const double from_light = (disc.centre - polygon.corners[0]).dot(light.source->normal);
+    if (from_light <= -disc.radius) return false;  // wholly behind it
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t k = 0; k < polygon.size; ++k) {
+        const double height = (polygon.corners[k] - disc.centre).dot(disc.normal);
+        low = std::min(low, height);
+        high = std::max(high, height);
+    }
+    if (high <= 0.0) return false;
+    const double height = std::max(low, 0.0), spot = std::max(height, 0.5 * light.width);
+    if (disc.radius <= spot) return false;
+    const double distance = distance_to(polygon, light.source->normal, disc.centre);
+    const double aside = std::sqrt(std::max(0.0, distance * distance - height * height));
+    return aside < disc.radius + spot;
+}
+
+bool NearLights::may_hide_spot(const RefinementTree& tree, const TreeElement& element) const {
+    const std::vector<std::uint32_t>& near = near_[element.patch];
+    if (near.empty()) return false;
+    Disc disc{Vec3::Zero(), scene_.surfaces[mesh_.patches[element.patch].surface].normal, 0.0};
+    const std::size_t n = element.corner_count();
+    for (std::size_t k = 0; k < n; ++k)
+        disc.centre += tree.vertices()[element.vertices[k]].position / static_cast<double>(n);
+    for (std::size_t k = 0; k < n; ++k)
+        disc.radius = std::max(
+            disc.radius, (tree.vertices()[element.vertices[k]].position - disc.centre).norm());
+    return std::any_of(near.begin(), near.end(),
+                       [&](std::uint32_t l) { return hides_spot(disc, lights_[l]); });
+}
+
+}  // namespace patchlight
