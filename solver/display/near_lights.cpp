@@ -54,8 +54,9 @@ NearLights::NearLights(const Scene& scene, const PatchMesh& mesh,
 
 bool NearLights::hides_spot(const Disc& disc, const Light& light) {
     const ConvexPolygon& polygon = light.source->polygon;
-    const double from_light = (disc.centre - polygon.corners[0]).dot(light.source->normal);
-    if (from_light <= -disc.radius) return false;  // wholly behind it
+    const Vec3& faces = light.source->normal;
+    const double reach = disc.radius * disc.normal.cross(faces).norm();
+    if ((disc.centre - polygon.corners[0]).dot(faces) + reach <= 0.0) return false;  // behind it
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t k = 0; k < polygon.size; ++k) {
         const double height = (polygon.corners[k] - disc.centre).dot(disc.normal);
@@ -65,7 +66,7 @@ bool NearLights::hides_spot(const Disc& disc, const Light& light) {
     if (high <= 0.0) return false;
     const double height = std::max(low, 0.0), spot = std::max(height, 0.5 * light.width);
     if (disc.radius <= spot) return false;
-    const double distance = distance_to(polygon, light.source->normal, disc.centre);
+    const double distance = distance_to(polygon, faces, disc.centre);
     const double aside = std::sqrt(std::max(0.0, distance * distance - height * height));
     return aside < disc.radius + spot;
 }

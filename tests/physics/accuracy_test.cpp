@@ -1,5 +1,8 @@
+#include "solver/form_factors/point_factor.h"
 #include "tests/physics/random_room.h"
 #include "tests/physics/rooms.h"
+
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -157,6 +160,50 @@ TEST(Accuracy, ALampThatLightsNothingCostsNothing) {
     const Solution solution = solve(builder.scene, to(0.01));
     EXPECT_EQ(solution.status, Status::converged);
     EXPECT_LT(solution.display.triangles.size(), 5000u);
+}
+
+/// All that is lit is a spot narrower than a patch: 4 cm above a lamp that faces the ceiling.
+TEST(Accuracy, TheSpotAboveALowLampIsFound) {
+    SceneBuilder builder;
+    const MaterialIndex black = builder.material(0.0, 0.0), white = builder.material(0.5, 0.0);
+    constexpr double top = 2.7, width = 5.0;
+    builder.box("room", black, Vec3::Zero(), Vec3(width, width, top), true);
+    constexpr std::size_t ceiling = 1;
+    builder.scene.surfaces[ceiling].material = white;
+    ConvexPolygon lamp;
+    for (const Vec3& p : {Vec3(1.31, 2.22, top - 0.04), Vec3(1.52, 2.22, top - 0.04),
+                          Vec3(1.52, 2.35, top - 0.04), Vec3(1.31, 2.35, top - 0.04)})
+        lamp.add(p);
+    builder.polygon("lamp", builder.material(0.0, 10.0),
+                    std::vector<Vec3>(lamp.view().begin(), lamp.view().end()));
+    for (const double accuracy : {0.1, 0.02}) {
+        const Solution solution = solve(builder.scene, to(accuracy));
+        const DisplayMesh& display = solution.display;
+        double wrong = 0.0, whole = 0.0;
+        for (std::size_t t = 0; t < display.triangles.size(); ++t) {
+            if (solution.mesh.patches[display.patch[t]].surface != ceiling) continue;
+            const auto& [a, b, c] = display.triangles[t];
+            const Vec3 &p = display.positions[a], u = display.positions[b] - p,
+                       v = display.positions[c] - p;
+            const int n = 1 + static_cast<int>(std::max(u.norm(), v.norm()) / 0.02);
+            for (int k = 0; k < n * n; ++k) {
+                double i = (k % n + 0.5) / n, j = (k / n + 0.5) / n;
+                if (i + j > 1.0) i = 1.0 - i, j = 1.0 - j;
+                const double exact =
+                    0.5 * 10.0 *
+                    point_factor(p + i * u + j * v, -Vec3::UnitZ(), lamp, Vec3::UnitZ());
+                const auto& shown = display.radiosity;
+                const double found =
+                    (1.0 - i - j) * shown[a][0] + i * shown[b][0] + j * shown[c][0];
+                const double share = 0.5 * u.cross(v).norm() / (n * n);
+                wrong += share * std::pow(found - exact, 2);
+                whole += share * std::pow(exact, 2);
+            }
+        }
+        ASSERT_TRUE(solution.error.estimate);
+        EXPECT_LE(std::sqrt(wrong / whole), *solution.error.estimate);
+        EXPECT_LE(std::sqrt(wrong / whole), accuracy);
+    }
 }
 
 TEST(Accuracy, AMissedTargetShows) {

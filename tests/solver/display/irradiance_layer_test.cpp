@@ -108,6 +108,38 @@ TEST(IrradianceLayer, FollowsAnEdgeThatItFound) {
     EXPECT_LE(missed[true], missed[false]);
 }
 
+TEST(IrradianceLayer, JoinsSamplesToThoseThereAre) {
+    Square square;
+    IrradianceLayer layer(square.tree.vertices().size());
+    IrradianceLayer::Rule rule;
+    rule.target = 1.0;
+    const auto all = [](double value) {
+        return [value](std::span<const std::uint32_t> vertices) {
+            return std::vector<Gathered>(vertices.size(), {Rgb::Constant(value), 0.04});
+        };
+    };
+    layer.refine(square.tree, square.reflectance, rule, all(1.0));
+    const double before = layer.noise(square.tree);
+    EXPECT_TRUE(layer.join(all(3.0), 0.75));
+    for (const Rgb& value : layer.at_all(square.tree)) EXPECT_NEAR(value[0], 2.5, 1e-12);
+    // Both parts tell the variance of the whole: 4 times, and 4/3 times as many samples.
+    const double less = 0.5 * (std::pow(0.25, 1.44) + std::pow(0.75, 1.44));
+    EXPECT_NEAR(layer.noise(square.tree), before * std::sqrt(less), 1e-9);
+}
+
+TEST(IrradianceLayer, CutsWhatMustBeLookedAt) {
+    Square square;
+    IrradianceLayer layer(square.tree.vertices().size());
+    IrradianceLayer::Rule rule;
+    rule.target = 1.0;
+    rule.must_cut = [](const TreeElement& element) { return element.area > 1.0 / 100.0; };
+    layer.refine(square.tree, square.reflectance, rule,
+                 gatherer(square.tree, [](double, double) { return 1.0; }));
+    for (const TreeElement& element : square.tree.elements())
+        EXPECT_TRUE(!element.is_leaf() || element.area <= 1.0 / 100.0);
+    EXPECT_EQ(layer.gathered(), 17u * 17u) << "and no more";
+}
+
 TEST(IrradianceLayer, RefinesAlongAnEdgeAndNotBesideIt) {
     const auto f = [](double x, double y) { return x + 0.37 * y < 0.6 ? 1.0 : 2.0; };
     Square square;

@@ -113,6 +113,17 @@ TEST(PointGather, TheExcessAddsNothingAndTakesNothingAway) {
     EXPECT_NEAR(mean, 1.0 + 49.0 * factor, 0.003 * mean);
 }
 
+TEST(PointGather, RaysThatAreJoinedMakeOneSequence) {
+    const Reader reader(room(), 0.1, spot);
+    ASSERT_TRUE(reader.field->has_excess());
+    const GatherPoint point = reader.at({0.3, 0.4, 0}, z);
+    const Rgb first = reader.gather.indirect(point, *reader.field, 0, 96, 5).irradiance,
+              more = reader.gather.indirect(point, *reader.field, 96, 256, 5).irradiance,
+              whole = reader.gather.indirect(point, *reader.field, 256, 5).irradiance;
+    EXPECT_NEAR((96.0 * first[0] + 160.0 * more[0]) / 256.0, whole[0], 1e-6 * whole[0]);
+    EXPECT_GT(std::abs(first[0] - more[0]), 1e-6) << "other rays";
+}
+
 TEST(PointGather, VarianceOfTheHalvesTellsTheNoise) {
     const Reader reader(room(), 0.1, [](const Vec3& c) {
         return 1.0 + (c.x() > 0.5 ? 1.0 : 0.0) + (c.z() > 0.5 ? 0.7 : 0.0);
