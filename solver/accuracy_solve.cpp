@@ -33,6 +33,7 @@ constexpr double promising = 0.9;  // of the target: worth more points
 constexpr int most_checks = 8;
 constexpr std::size_t vertices_per_check = 8;
 constexpr int most_rounds = 12;
+constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 constexpr int fewest_rays = 96, most_rays = 1 << 15;  // multiples of 32
 constexpr int probe_rays = 64;
 
@@ -158,7 +159,8 @@ void AccuracySolve::aim_closer() {
         return light_.noise().rays_for(less * light_.noise().absolute(aim_.rays), fewest_rays,
                                        most_rays);
     };
-    next_aim_.after(errors, rays_for, aim_);
+    if (!next_aim_.after(errors, rays_for, aim_)) return;
+    for (int round = 0; round < rounds_between && gather(coarser);) ++round;
 }
 
 /// Whether what rays read still changes, so that one more round alone brings the error down.

@@ -38,7 +38,8 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
                           aim.gathered != GatherAim::Indirect::joined;
     aim.gathered = may_join ? GatherAim::Indirect::joined : GatherAim::Indirect::anew;
     const double before = std::exchange(last_indirect_, errors.indirect);
-    if (!explained && errors.indirect < improving * before) return 1.0;
+    is_settling_ = !explained && errors.indirect < improving * before;
+    if (is_settling_) return 1.0;
     const double scale = closer(errors.indirect, for_indirect);
     if (errors.noise > 0.5 * errors.indirect) return scale;
     aim.indirect *= scale;

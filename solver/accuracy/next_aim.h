@@ -21,11 +21,14 @@ class NextAim {
     /// What was missed by more than its share, or by most of it, may be missed less; where noise is
     /// the most of it, more rays, of which `rays_for` tells the number for a noise that much less.
     /// They join those there are where the light they read was nearly right. Where noise and bends
-    /// do not explain what was missed, that light was wrong, and one more round alone may do.
+    /// do not explain what was missed, that light was wrong: rounds alone bring it down, as long as
+    /// this returns true.
     template <typename RaysFor>
-    void after(const RoundErrors& errors, const RaysFor& rays_for, GatherAim& aim) {
+    bool after(const RoundErrors& errors, const RaysFor& rays_for, GatherAim& aim) {
+        is_settling_ = false;
         const double less = tighten(errors, aim);
         if (less < 1.0) aim.rays = rays_for(less);
+        return is_settling_;
     }
 
   private:
@@ -33,6 +36,7 @@ class NextAim {
     double tighten(const RoundErrors& errors, GatherAim& aim);
 
     double target_;
+    bool is_settling_ = false;
     double last_indirect_ = std::numeric_limits<double>::infinity();
 };
 

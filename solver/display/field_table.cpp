@@ -12,11 +12,21 @@ namespace patchlight {
 namespace {
 
 constexpr std::size_t most_cells = 4'000'000;
-constexpr std::size_t finest = 16;  // cells along each direction of a patch
+constexpr std::size_t usual = 16, finest = 128;  // cells along each direction of a patch
+constexpr std::size_t cells_per_triangle = 2;    // of the display, where that is more
 
-std::size_t cells_along(std::size_t patches) {
-    std::size_t count = finest;
-    while (count > 1 && patches * count * count > most_cells) count /= 2;
+/// Cells along each direction of every patch, powers of two.
+std::vector<std::size_t> cells_along(const PatchMesh& mesh, const DisplayMesh& display) {
+    std::vector<std::size_t> count(mesh.size(), usual), triangles(mesh.size(), 0);
+    for (const PatchIndex i : display.patch) ++triangles[i];
+    std::size_t cells = 0;
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        while (count[i] < finest && count[i] * count[i] < cells_per_triangle * triangles[i])
+            count[i] *= 2;
+        cells += count[i] * count[i];
+    }
+    for (; cells > most_cells && cells > mesh.size(); cells = cells / 4 + 1)
+        for (std::size_t& along : count) along = std::max<std::size_t>(1, along / 2);
     return count;
 }
 
@@ -42,22 +52,21 @@ struct Axes {  // of a patch: (p - origin)·u counts cells along its first edge,
 /// Adds triangles to the cells of a patch: to those whose centres it covers, or to the one it is
 /// in.
 struct FieldTable::Filler {
-    std::size_t count;
+    std::size_t first = 0, count = 1;        // cells of the patch
     std::vector<std::array<double, 4>> sum;  // per cell: weighted values, weight
 
     std::size_t cell(double u) const {
         return std::min(static_cast<std::size_t>(std::max(0.0, u)), count - 1);
     }
 
-    void add(std::size_t first, const Vec2& at, const Rgb& value, double weight) {
+    void add(const Vec2& at, const Rgb& value, double weight) {
         auto& entry = sum[first + cell(at.y()) * count + cell(at.x())];
         for (std::size_t c = 0; c < 3; ++c)
             entry[c] += weight * value[static_cast<Eigen::Index>(c)];
         entry[3] += weight;
     }
 
-    void add_triangle(std::size_t first, const std::array<Vec2, 3>& p,
-                      const std::array<Rgb, 3>& value) {
+    void add_triangle(const std::array<Vec2, 3>& p, const std::array<Rgb, 3>& value) {
         const double twice = turn(p[0], p[1], p[2]);
         if (!(twice > 0.0)) return;
         const Vec2 low = p[0].cwiseMin(p[1]).cwiseMin(p[2]),
@@ -70,46 +79,47 @@ struct FieldTable::Filler {
                              c = turn(p[0], p[1], centre) / twice;
                 if (b < 0.0 || c < 0.0 || b + c > 1.0) continue;
                 any = true;
-                add(first, centre, value[0] + b * (value[1] - value[0]) + c * (value[2] - value[0]),
+                add(centre, value[0] + b * (value[1] - value[0]) + c * (value[2] - value[0]),
                     twice);
             }
-        if (!any)
-            add(first, (p[0] + p[1] + p[2]) / 3.0, (value[0] + value[1] + value[2]) / 3.0, twice);
+        if (!any) add((p[0] + p[1] + p[2]) / 3.0, (value[0] + value[1] + value[2]) / 3.0, twice);
     }
 };
 
 FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const RayScene& rays,
                        const std::vector<Rgb>& values)
-    : count_(cells_along(mesh.size())),
-      mesh_(mesh),
-      rays_(rays),
-      frames_(mesh.size()),
-      cells_(mesh.size() * count_ * count_, {0.0f, 0.0f, 0.0f}) {
+    : mesh_(mesh), rays_(rays), frames_(mesh.size()) {
+    const std::vector<std::size_t> count = cells_along(mesh, display);
     std::vector<Axes> axes;
+    std::size_t cells = 0;
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
-        axes.emplace_back(mesh, i, count_);
+        axes.emplace_back(mesh, i, count[i]);
         const Vec3 across = axes[i].e1.cross(axes[i].e2);
-        const double side = rays.scale() / static_cast<double>(count_);
+        const double side = rays.scale() / static_cast<double>(count[i]);
         areas_.push_back(across.norm() * side * side);
         const RayPoint o = rays.to_ray_space(axes[i].origin),
                        u = (axes[i].u / rays.scale()).cast<float>(),
                        v = (axes[i].v / rays.scale()).cast<float>();
-        frames_[i] = {o.x(), o.y(), o.z(), u.x(), u.y(), u.z(), v.x(), v.y(), v.z()};
+        frames_[i] = {o.x(), o.y(), o.z(), u.x(), u.y(),   u.z(),
+                      v.x(), v.y(), v.z(), cells, count[i]};
+        cells += count[i] * count[i];
     }
-    Filler filler{count_, {}};
-    filler.sum.assign(cells_.size(), {});
+    cells_.resize(cells);
+    Filler filler;
+    filler.sum.resize(cells);
     for (std::size_t t = 0; t < display.triangles.size(); ++t) {
         const auto [a, b, c] = display.triangles[t];
         const PatchIndex i = display.patch[t];
-        filler.add_triangle(first_cell(i),
-                            {axes[i].at(display.positions[a]), axes[i].at(display.positions[b]),
+        filler.first = frames_[i].first;
+        filler.count = frames_[i].count;
+        filler.add_triangle({axes[i].at(display.positions[a]), axes[i].at(display.positions[b]),
                              axes[i].at(display.positions[c])},
                             {values[a], values[b], values[c]});
     }
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         std::array<float, 3>
             last{};  // cells beyond a triangle's long edge are looked up by rounding
-        for (std::size_t c = first_cell(i); c < first_cell(i + 1); ++c) {
+        for (std::size_t c = first_cell(i); c < end_cell(i); ++c) {
             const auto& entry = filler.sum[c];
             if (entry[3] > 0.0)
                 for (std::size_t k = 0; k < 3; ++k)
@@ -121,7 +131,7 @@ FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const 
 
 void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3d& slope) {
     const Vec3& centroid = mesh_.patches[i].centre;
-    for (std::size_t c = first_cell(i); c < first_cell(i + 1); ++c) {
+    for (std::size_t c = first_cell(i); c < end_cell(i); ++c) {
         const RayPoint middle = spot(i, c, 0.5f, 0.5f).position;
         const Vec3 away = rays_.from_ray_space(middle.cast<double>()) - centroid;
         const Rgb more = value + (slope * away).array();
@@ -132,12 +142,12 @@ void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3
 }
 
 FieldTable::Spot FieldTable::spot(PatchIndex i, std::size_t cell, float u, float v) const {
-    const std::size_t number = cell - first_cell(i);
-    const auto along = static_cast<float>(count_);
+    const std::size_t count = frames_[i].count, number = cell - frames_[i].first;
+    const auto along = static_cast<float>(count);
     Spot spot;
-    spot.u = (static_cast<float>(number % count_) + u) / along;
-    spot.v = (static_cast<float>(number / count_) + v) / along;
-    const Axes axes(mesh_, i, count_);
+    spot.u = (static_cast<float>(number % count) + u) / along;
+    spot.v = (static_cast<float>(number / count) + v) / along;
+    const Axes axes(mesh_, i, count);
     spot.position = rays_.to_ray_space(axes.origin + static_cast<double>(spot.u) * axes.e1 +
                                        static_cast<double>(spot.v) * axes.e2);
     return spot;

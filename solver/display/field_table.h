@@ -10,7 +10,7 @@
 namespace patchlight {
 
 /// A field on a display mesh, averaged over small cells of each patch, to be looked up quickly: as
-/// fine as shadows are, where patches are not.
+/// fine as shadows are, where patches are not, and finer where the display is.
 class FieldTable {
   public:
     /// `values` at the display's vertices.
@@ -28,13 +28,16 @@ class FieldTable {
                         (z - frame.oz) * frame.uz,
                     v = (x - frame.ox) * frame.vx + (y - frame.oy) * frame.vy +
                         (z - frame.oz) * frame.vz;
-        return first_cell(i) + row(v) * count_ + row(u);
+        return frame.first + row(v, frame.count) * frame.count + row(u, frame.count);
     }
     const std::array<float, 3>& value(std::size_t cell) const { return cells_[cell]; }
 
     std::size_t cells() const { return cells_.size(); }
     /// Cells of patch i are those from its first up to that of the next.
-    std::size_t first_cell(PatchIndex i) const { return std::size_t{i} * count_ * count_; }
+    std::size_t first_cell(PatchIndex i) const { return frames_[i].first; }
+    std::size_t end_cell(PatchIndex i) const {
+        return frames_[i].first + frames_[i].count * frames_[i].count;
+    }
     /// Of each cell of patch i in ray space.
     double cell_area(PatchIndex i) const { return areas_[i]; }
 
@@ -48,16 +51,16 @@ class FieldTable {
   private:
     struct Frame {  // (p - o)·u counts cells along the first edge, (p - o)·v along the last
         float ox = 0, oy = 0, oz = 0, ux = 0, uy = 0, uz = 0, vx = 0, vy = 0, vz = 0;
+        std::size_t first = 0, count = 1;  // cells, and how many along each direction
     };
     struct Filler;
     /// Of what lies far off a needle, or nowhere, too.
-    std::size_t row(float u) const {
-        const auto last = static_cast<float>(count_ - 1);
+    static std::size_t row(float u, std::size_t count) {
+        const auto last = static_cast<float>(count - 1);
         if (!(u > 0.0f)) return 0;
-        return u < last ? static_cast<std::size_t>(u) : count_ - 1;
+        return u < last ? static_cast<std::size_t>(u) : count - 1;
     }
 
-    std::size_t count_ = 1;  // cells along each direction of a patch
     const PatchMesh& mesh_;
     const RayScene& rays_;
     std::vector<Frame> frames_;

@@ -26,7 +26,7 @@ ReflectedField::ReflectedField(const Scene& scene, const PatchMesh& mesh, const 
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         if (mesh.patches[i].covered) continue;
         const double area = table_.cell_area(i);
-        for (std::size_t c = table_.first_cell(i); c < table_.first_cell(i + 1); ++c) {
+        for (std::size_t c = table_.first_cell(i); c < table_.end_cell(i); ++c) {
             cells[c] = {static_cast<double>(luminance_of(table_.value(c))), area};
             whole += area;
         }
@@ -46,7 +46,7 @@ ReflectedField::ReflectedField(const Scene& scene, const PatchMesh& mesh, const 
     double power = 0.0;
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         if (mesh.patches[i].covered) continue;
-        for (std::size_t c = table_.first_cell(i); c < table_.first_cell(i + 1); ++c) {
+        for (std::size_t c = table_.first_cell(i); c < table_.end_cell(i); ++c) {
             const double excess = cells[c].y - static_cast<double>(threshold_);
             if (!(excess > 0.0)) continue;
             power += excess * cells[c].area;

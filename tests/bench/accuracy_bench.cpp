@@ -1,6 +1,6 @@
 // True errors of solves to an accuracy, in random rooms, beside what they say of themselves.
 //
-//   patchlight_accuracy_bench FIRST_SEED ROOMS [POINTS [RAYS [FINER]]]
+//   patchlight_accuracy_bench FIRST_SEED ROOMS [POINTS [RAYS [FINER [TIGHTEST]]]]
 //
 // The truth at points spread by area: direct light by 128 x 128 samples of each lamp, all other
 // light by RAYS rays over the hemisphere that read a solution to the accuracy FINER where they
@@ -147,7 +147,7 @@ std::vector<Truth> spread_points(const Scene& scene, std::size_t count, unsigned
     return points;
 }
 
-void judge(unsigned seed, std::size_t count, int ray_count, double finer) {
+void judge(unsigned seed, std::size_t count, int ray_count, double finer, double tightest) {
     const Scene scene = random_room(seed);
     SolveSettings fine;
     fine.accuracy = finer;
@@ -173,6 +173,7 @@ void judge(unsigned seed, std::size_t count, int ray_count, double finer) {
     double norm = 0.0;
     for (const Truth& point : points) norm += point.reflected * point.reflected;
     for (const double accuracy : accuracies) {
+        if (accuracy < tightest) continue;
         SolveSettings settings;
         settings.accuracy = accuracy;
         const auto start = std::chrono::steady_clock::now();
@@ -198,7 +199,8 @@ void judge(unsigned seed, std::size_t count, int ray_count, double finer) {
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        std::fprintf(stderr, "usage: %s FIRST_SEED ROOMS [POINTS [RAYS [FINER]]]\n", argv[0]);
+        std::fprintf(stderr, "usage: %s FIRST_SEED ROOMS [POINTS [RAYS [FINER [TIGHTEST]]]]\n",
+                     argv[0]);
         return 2;
     }
     const auto first = static_cast<unsigned>(std::atoi(argv[1]));
@@ -206,8 +208,9 @@ int main(int argc, char** argv) {
     const std::size_t points = argc > 3 ? static_cast<std::size_t>(std::atoi(argv[3])) : 400;
     const int rays = argc > 4 ? std::atoi(argv[4]) : 65536;
     const double finer = argc > 5 ? std::atof(argv[5]) : 0.002;
+    const double tightest = argc > 6 ? std::atof(argv[6]) : 0.0;
     std::printf("seed,accuracy,seconds,estimate,true,met,mesh,form_factors\n");
     for (int k = 0; k < rooms; ++k)
-        patchlight::judge(first + static_cast<unsigned>(k), points, rays, finer);
+        patchlight::judge(first + static_cast<unsigned>(k), points, rays, finer, tightest);
     return 0;
 }

@@ -12,10 +12,11 @@ struct Rounds {
     NextAim next{target};
     GatherAim aim{0.0025, 0.002, {64, 384}, 256, Indirect::anew};
     double less = 1.0;  // of the noise, what was asked for
+    bool settles = false;
 
     void after(const RoundErrors& errors) {
         less = 1.0;
-        next.after(
+        settles = next.after(
             errors,
             [&](double share) {
                 less = share;
@@ -61,8 +62,10 @@ TEST(NextAim, DoesNotAskForMoreWhileWhatRaysReadIsWrong) {
     EXPECT_DOUBLE_EQ(rounds.aim.indirect, 0.002);
     rounds.after({0.001, 0.05, 0.002, 0.002, 0.01});
     EXPECT_EQ(rounds.aim.rays, 256) << "it gets better by itself";
+    EXPECT_TRUE(rounds.settles);
     rounds.after({0.001, 0.048, 0.002, 0.002, 0.009});
     EXPECT_EQ(rounds.aim.rays, 512) << "it does not any more";
+    EXPECT_FALSE(rounds.settles);
     EXPECT_LT(rounds.aim.indirect, 0.002);
 }
 
