@@ -4,7 +4,10 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace patchlight {
@@ -69,8 +72,28 @@ bool in_batches(std::size_t count, const std::function<bool()>& go_on, const Wor
     return true;
 }
 
+/// Axes that turn with the scene: those of its largest surface, the first of equals.
+std::array<Vec3, 3> axes_of(const Scene& scene) {
+    constexpr double larger = 1.0 + 1e-9;
+    const Surface* largest = &scene.surfaces[0];
+    for (const Surface& surface : scene.surfaces)
+        if (surface.area > larger * largest->area) largest = &surface;
+    const PlaneFrame frame = frame_along(largest->corners, largest->normal);
+    return {frame.u, frame.v, frame.normal};
+}
+
 struct Tester {
     double slack;
+    std::array<Vec3, 3> axes;
+
+    /// About a unit direction, from the first of some vectors that is far from it.
+    PlaneFrame frame_round(const Vec3& from, const Vec3& direction, const Vec3& normal) const {
+        constexpr double least_sine = 0.1;
+        for (const Vec3& vector : {normal, axes[0], axes[1]})
+            if (vector.cross(direction).norm() > least_sine)
+                return frame_along(from, vector, direction);
+        return frame_of(from, direction);
+    }
 
     bool can_block(const Sheet& blocker, std::span<const Vec3> a, const Sheet& plane_a,
                    std::span<const Vec3> b, const Sheet& plane_b) const {
@@ -81,21 +104,19 @@ struct Tester {
         const std::span<const Vec3> corners(blocker.hull);
         if (along(corners, plane_a.normal).high <= plane_a.level.low + slack) return false;
         if (along(corners, plane_b.normal).high <= plane_b.level.low + slack) return false;
-        for (int axis = 0; axis < 3; ++axis) {
-            const Vec3 unit = Vec3::Unit(axis);
-            if (apart(along(a, unit), along(b, unit), along(corners, unit), slack)) return false;
-        }
-        return !parted_sideways(corners, a, b);
+        for (const Vec3& axis : axes)
+            if (apart(along(a, axis), along(b, axis), along(corners, axis), slack)) return false;
+        return !parted_sideways(corners, a, b, plane_a.normal);
     }
 
     /// Planes along the line between the two centres, in eight directions round it.
     bool parted_sideways(std::span<const Vec3> corners, std::span<const Vec3> a,
-                         std::span<const Vec3> b) const {
+                         std::span<const Vec3> b, const Vec3& normal) const {
         Vec3 from = Vec3::Zero(), to = Vec3::Zero();
         for (const Vec3& p : a) from += p / static_cast<double>(a.size());
         for (const Vec3& p : b) to += p / static_cast<double>(b.size());
         if (!((to - from).norm() > slack)) return false;
-        const PlaneFrame frame = frame_of(from, (to - from).normalized());
+        const PlaneFrame frame = frame_round(from, (to - from).normalized(), normal);
         constexpr double s = 0.38268343236508977, c = 0.92387953251128674;  // sine, cosine of 22.5°
         for (const auto& [x, y] :
              {std::pair(1.0, 0.0), {c, s}, {c, c}, {s, c}, {0.0, 1.0}, {-s, c}, {-c, c}, {-c, s}}) {
@@ -118,7 +139,7 @@ BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh, const Plan
     always_ = pairs * static_cast<double>(planes) > most_work ||
               static_cast<double>(n) * static_cast<double>(n) > most_work;
     if (always_) return;
-    const Tester tester{in_plane * scene_size(scene)};
+    const Tester tester{in_plane * scene_size(scene), axes_of(scene)};
     const std::vector<Sheet> sheets = make_sheets(scene, groups);
     // Blockers of pairs of planes first: pairs of clusters look at those alone.
     std::vector<std::vector<std::uint32_t>> blockers(planes * planes);

@@ -1,6 +1,7 @@
 #include "solver/form_factors/hemicube_engine.h"
 
 #include "solver/rays/low_discrepancy.h"
+#include "solver/scene/polygon.h"
 
 #include <Eigen/Geometry>
 
@@ -108,7 +109,7 @@ HemicubePose HemicubeEngine::pose(PatchIndex i, int k, int part) const {
     const double angle = settings_.rotated
                              ? 2.0 * std::numbers::pi * static_cast<double>(bits >> 11) * 0x1p-53
                              : 0.0;
-    const Vec3 u = sampler.tangent.cast<double>(), v = pose.normal.cross(u).normalized();
+    const Vec3 u = frame_of(Vec3::Zero(), pose.normal).u, v = pose.normal.cross(u).normalized();
     pose.tangent = (std::cos(angle) * v.cross(pose.normal) + std::sin(angle) * v);
     pose.bitangent = pose.normal.cross(pose.tangent);
     pose.near_depth = nearest_seen * edge_length(mesh_.patches[i], ray_scene_.scale());

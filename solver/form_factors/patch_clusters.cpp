@@ -3,12 +3,14 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 namespace patchlight {
 
 namespace {
 
-constexpr std::size_t largest = 16;  // patches in a cluster
+constexpr std::size_t largest = 16;           // patches in a cluster
+constexpr double same_row = 1.2360679775e-7;  // of an extent; rows are no multiples of it
 
 struct Clusterer {
     const PatchMesh& mesh;
@@ -34,11 +36,15 @@ struct Clusterer {
         }
         Eigen::AlignedBox2d box;
         for (const PatchIndex i : patches) box.extend(frame.flat(mesh.patches[i].centre));
-        const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+        // Whatever rounding makes of it: x where both are alike, and those of one row by number.
+        const double step = same_row * box.sizes().maxCoeff() + 1e-300;
+        const int axis = box.sizes().x() + step >= box.sizes().y() ? 0 : 1;
+        const auto row = [&](PatchIndex i) {
+            return std::llround(frame.flat(mesh.patches[i].centre)[axis] / step);
+        };
         const auto middle = patches.begin() + static_cast<std::ptrdiff_t>(patches.size() / 2);
         std::nth_element(patches.begin(), middle, patches.end(), [&](PatchIndex a, PatchIndex b) {
-            const double at_a = frame.flat(mesh.patches[a].centre)[axis],
-                         at_b = frame.flat(mesh.patches[b].centre)[axis];
+            const long long at_a = row(a), at_b = row(b);
             return at_a != at_b ? at_a < at_b : a < b;
         });
         split(patches.first(patches.size() / 2), group, frame);
@@ -57,7 +63,7 @@ PatchClusters make_clusters(const Scene& scene, const PatchMesh& mesh, const Pla
             for (PatchIndex i = mesh.first_of_surface[s]; i < mesh.first_of_surface[s + 1]; ++i)
                 patches.push_back(i);
         const Surface& plane = scene.surfaces[groups.members[g][0]];
-        if (!patches.empty()) clusterer.split(patches, g, frame_of(plane.corners[0], plane.normal));
+        if (!patches.empty()) clusterer.split(patches, g, frame_along(plane.corners, plane.normal));
     }
     clusterer.clusters.first_point.push_back(clusterer.clusters.hull_points.size());
     return std::move(clusterer.clusters);

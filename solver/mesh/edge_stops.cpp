@@ -25,7 +25,7 @@ std::vector<EdgeStop> find_edge_stops(const Surface& surface, std::span<const Se
                                       double reach) {
     std::vector<EdgeStop> stops;
     if (creases.empty()) return stops;
-    const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
+    const PlaneFrame frame = frame_along(surface.corners, surface.normal);
     const std::size_t n = surface.corners.size();
     for (std::size_t edge = 0; edge < n; ++edge) {
         const Vec3 &a = surface.corners[edge], &b = surface.corners[(edge + 1) % n];

@@ -75,7 +75,7 @@ struct Mesher {
 
     void add_polygon_patches(SurfaceIndex s) {
         const Surface& surface = scene.surfaces[s];
-        const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
+        const PlaneFrame frame = frame_along(surface.corners, surface.normal);
         PolygonOutline outline;
         std::vector<VertexIndex> number;  // of the mesher's points in the mesh
         for (std::size_t k = 0; k < surface.corners.size(); ++k) {

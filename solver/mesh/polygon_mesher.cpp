@@ -44,7 +44,7 @@ Vec2 lattice_origin(const std::vector<Vec2>& corners, const Vec2& direction) {
         const Vec2 edge = corners[(k + 1) % corners.size()] - corners[k];
         const double length = edge.norm();
         const double slope = std::abs(edge.x() * direction.y() - edge.y() * direction.x());
-        if (slope > 1e-6 * length || length <= longest) continue;
+        if (slope > 1e-6 * length || length <= (1.0 + 1e-9) * longest) continue;
         longest = length;
         origin = corners[k];
     }
@@ -67,7 +67,7 @@ void insert_lattice(Triangulation& triangulation, const std::vector<Vec2>& corne
                i1 = std::llround(std::ceil(box.max().x() / cell.x()));
     const auto j0 = std::llround(std::floor(box.min().y() / cell.y())),
                j1 = std::llround(std::ceil(box.max().y() / cell.y()));
-    const double least = clearance * cell.minCoeff();
+    const double least = clearance * (1.0 - 1e-9) * cell.minCoeff();
     for (auto j = j0; j <= j1; ++j)
         for (auto i = i0; i <= i1; ++i) {
             const Vec2 p = origin + static_cast<double>(i) * cell.x() * along +
@@ -138,7 +138,7 @@ std::vector<Vec2> points_wanted(const Triangulation& triangulation, const Merged
         for (std::size_t k = 0; k < 4; ++k) {
             const Vec2 &a = points[face[k]], &b = points[face[(k + 1) % 4]];
             if ((b - a).norm() <= worst) continue;
-            worst = (b - a).norm();
+            worst = (b - a).norm() * (1.0 + 1e-9);
             middle = 0.5 * (a + b);
         }
         if (middle) wanted.push_back(*middle);

@@ -40,7 +40,7 @@ PatchSampler make_sampler(const PatchMesh& mesh, PatchIndex i, const Vec3& norma
     }
     sampler.centre = rays.to_ray_space(patch.centre);
     sampler.margin = static_cast<float>(std::min(largest_margin, clear_of_edge / (clear * scale)));
-    const PlaneFrame frame = frame_of(Vec3::Zero(), normal);
+    const PlaneFrame frame = frame_along(Vec3::Zero(), e1, normal);
     sampler.tangent = frame.u.cast<float>();
     sampler.bitangent = frame.v.cast<float>();
     sampler.normal = normal.cast<float>();

@@ -58,7 +58,7 @@ std::vector<Segment> meet_plane(const Surface& surface, const Surface& other, do
 
 /// Whether some of the segment lies inside the outline, off its edges.
 bool reaches_inside(const Surface& surface, const Segment& s, double reach) {
-    const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
+    const PlaneFrame frame = frame_along(surface.corners, surface.normal);
     std::vector<Vec2> outline;
     for (const Vec3& p : surface.corners) outline.push_back(frame.flat(p));
     if (along_own_edge(surface, s, reach)) return false;
@@ -94,10 +94,20 @@ std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene) {
             if (!known && reaches_inside(surface, segment, reach)) lines[s].push_back(segment);
         }
     };
+    // Visitors one after another by number, whichever way the scene is turned.
+    std::vector<std::vector<SurfaceIndex>> visitors(scene.surfaces.size());
+    const auto note = [&](SurfaceIndex s, SurfaceIndex other) {
+        if (!meet_plane(scene.surfaces[s], scene.surfaces[other], reach).empty())
+            visitors[s].push_back(other);
+    };
     for_each_touching_pair(scene, reach, [&](SurfaceIndex a, SurfaceIndex b) {
-        add(a, b);
-        add(b, a);
+        note(a, b);
+        note(b, a);
     });
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        std::sort(visitors[s].begin(), visitors[s].end());
+        for (const SurfaceIndex other : visitors[s]) add(s, other);
+    }
     return lines;
 }
 

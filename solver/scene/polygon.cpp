@@ -37,6 +37,18 @@ PlaneFrame frame_of(const Vec3& origin, const Vec3& n) {
             Vec3(b, sign + n.y() * n.y() * a, -n.y()), n};
 }
 
+PlaneFrame frame_along(const Vec3& origin, const Vec3& edge, const Vec3& n) {
+    const Vec3 across = n.cross(edge);
+    const double length = across.norm();
+    if (!(length > 0.0)) return frame_of(origin, n);
+    const Vec3 v = across / length;
+    return {origin, v.cross(n), v, n};
+}
+
+PlaneFrame frame_along(std::span<const Vec3> corners, const Vec3& n) {
+    return frame_along(corners[0], corners[1] - corners[0], n);
+}
+
 namespace {
 
 bool in_closed_triangle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& q) {
@@ -116,17 +128,29 @@ bool contains(std::span<const Vec2> polygon, const Vec2& q) {
 }
 
 std::vector<Vec3> convex_hull(std::span<const Vec3> points, const PlaneFrame& frame) {
+    constexpr double on_edge = 1e-11;  // of the extent: no corner, however it was rounded [1]
     std::vector<std::pair<Vec2, std::size_t>> sorted;
-    for (std::size_t k = 0; k < points.size(); ++k) sorted.emplace_back(frame.flat(points[k]), k);
-    std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.first.x(), a.first.y()) < std::pair(b.first.x(), b.first.y());
+    Eigen::AlignedBox2d box;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        sorted.emplace_back(frame.flat(points[k]), k);
+        box.extend(sorted.back().first);
+    }
+    const double least = points.empty() ? 0.0 : on_edge * box.sizes().maxCoeff() + 1e-300;
+    const auto is_corner = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
+        return turn(a, b, c) > least * (c - a).norm();
+    };
+    // A column's points by height, whatever rounding makes of x.
+    std::sort(sorted.begin(), sorted.end(), [least](const auto& a, const auto& b) {
+        const double column_a = std::round(a.first.x() / least),
+                     column_b = std::round(b.first.x() / least);
+        return std::pair(column_a, a.first.y()) < std::pair(column_b, b.first.y());
     });
     std::vector<Vec3> hull;
     const auto half = [&](auto begin, auto end) {
         std::vector<std::pair<Vec2, std::size_t>> chain;
         for (auto at = begin; at != end; ++at) {
             while (chain.size() >= 2 &&
-                   turn(chain[chain.size() - 2].first, chain.back().first, at->first) <= 0.0)
+                   !is_corner(chain[chain.size() - 2].first, chain.back().first, at->first))
                 chain.pop_back();
             chain.push_back(*at);
         }

@@ -30,6 +30,11 @@ struct PlaneFrame {
     Vec3 lift(const Vec2& q) const { return origin + q.x() * u + q.y() * v; }
 };
 PlaneFrame frame_of(const Vec3& origin, const Vec3& unit_normal);
+/// The same with x along an edge, so that it turns with the scene; as frame_of where that has no
+/// length in the plane.
+PlaneFrame frame_along(const Vec3& origin, const Vec3& edge, const Vec3& unit_normal);
+/// Of a polygon: from its first corner along its first edge.
+PlaneFrame frame_along(std::span<const Vec3> corners, const Vec3& unit_normal);
 
 /// Twice the signed area of the triangle a, b, c: positive if counter-clockwise.
 inline double turn(const Vec2& a, const Vec2& b, const Vec2& c) {

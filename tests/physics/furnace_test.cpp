@@ -9,6 +9,10 @@ namespace {
 constexpr double closure =
     1e-5;  // relative: float factors (6e-8) amplified by 1/(1 − ρ), and the solver's 1e-8
 
+/// Where cells do not see what is behind an edge, the rest of a row may meet its ceilings before it
+/// is full: 32 x 32 cells leave 6e-5 of one row in 3 x 222 open (seeds 1 to 3).
+constexpr double open_hemicube = 2e-4;
+
 constexpr int rays_per_patch = 1024;
 /// Shooting spreads light by rows of one end of each pair, as they come: nothing is lost, but a
 /// patch gets as much as happens to hit it. Root mean square over patches, relative: independent
@@ -18,7 +22,8 @@ constexpr double counted_scatter = 0.035;
 constexpr double blocked_scatter = 0.01;
 
 double scatter_of(const Way& way, bool blocked) {
-    if (way.method != Method::shooting) return closure;
+    if (way.method != Method::shooting)
+        return blocked && way.engine == Engine::hemicube ? open_hemicube : closure;
     if (way.engine == Engine::analytic) return blocked ? blocked_scatter : closure;
     return counted_scatter;
 }
@@ -44,8 +49,8 @@ void expect_furnace(const Scene& scene, const Way& way, double reflectance, doub
         area += a;
         power += a * b;
         squared += a * std::pow(b / exact - 1.0, 2);
-        if (scatter == closure) {
-            ASSERT_NEAR(b, exact, closure * exact) << "patch " << i;
+        if (scatter == closure || scatter == open_hemicube) {
+            ASSERT_NEAR(b, exact, scatter * exact) << "patch " << i;
         }
     }
     EXPECT_GT(seen, solution.mesh.size() * 9 / 10);

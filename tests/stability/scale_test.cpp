@@ -37,9 +37,13 @@ TEST_P(Scale, TheCornellBoxIsTheSameAtAnySizePlaceAndAngle) {
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(37.3 * std::numbers::pi / 180.0, Vec3(1, 2, 3).normalized())
             .toRotationMatrix();
-    std::vector<Motion> motions{{1e-4, Vec3::Zero(), turn}, {1e6, 1e6 * far}};
-    if (GetParam().is_analytic() && !GetParam().shoots())  // one by one
-        motions = {{1e-4}, {1e-2}, {1e3}, {1e6}, {1.0, far}, {1.0, Vec3::Zero(), turn}};
+    const std::vector<Motion> motions{{1e-4},
+                                      {1e-2},
+                                      {1e3},
+                                      {1e6},
+                                      {1.0, far},
+                                      {1.0, Vec3::Zero(), turn},
+                                      {1e6, 1e6 * far, turn}};
     double worst = 0.0, allowed = 0.0;
     for (const Motion& motion : motions) {
         HandSet scaled = coarse;
@@ -48,16 +52,16 @@ TEST_P(Scale, TheCornellBoxIsTheSameAtAnySizePlaceAndAngle) {
         ASSERT_EQ(there.mesh.size(), here.mesh.size());
         ASSERT_TRUE(there.error.estimate && here.error.estimate);
         const double apart = difference(there, here);
-        if (motion.turn.isIdentity() && !GetParam().to_accuracy) {
-            EXPECT_LE(apart, same) << "scale " << motion.scale;
-        }
         worst = std::max(worst, apart);
         allowed = std::max(allowed, *there.error.estimate + *here.error.estimate);
     }
-    const Excuse excuse{allowed, GetParam().to_accuracy
-                                     ? "another sample of rays, within the sum of both estimates"
-                                     : "rays and cells are laid out anew when the box is turned: "
-                                       "within twice the error reported"};
+    Excuse excuse;
+    if (GetParam().to_accuracy)
+        excuse = {allowed, "another sample of rays, within the sum of both estimates"};
+    if (GetParam().draws())
+        excuse = {allowed,
+                  "hemicubes lie by the world's axes: cells are laid out anew when the box is "
+                  "turned, within twice the error reported"};
     judge("C3", GetParam(), worst, same, excuse);
 }
 

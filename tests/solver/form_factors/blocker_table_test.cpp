@@ -140,7 +140,7 @@ TEST(BlockerTable, StoppedItRulesNothingOut) {
 }
 
 TEST(BlockerTable, NamesPairsWithABoxBetween) {
-    const CutScene room = cut(room_with_box(), 0.1);
+    const CutScene room = cut(room_with_box(), 0.05);
     const BlockerTable table(room.scene, room.mesh, find_plane_groups(room.scene));
     const auto patch_at = [&](const Vec3& p) {
         PatchIndex nearest = 0;
