@@ -19,7 +19,7 @@ namespace patchlight {
 namespace {
 
 /// Shares of the target that causes of error are planned to have. What they come to is measured.
-constexpr double direct_share = 0.25, indirect_share = 0.20, noise_share = 0.34;
+constexpr double direct_share = 0.12, indirect_share = 0.20, noise_share = 0.31;
 constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
 constexpr double uncorrected = 2.0;         // times a change that could not be sent on
 constexpr double coarser = 2.0;             // times the target, in the rounds before the last
@@ -27,7 +27,7 @@ constexpr double settled = 0.5;             // of the target: changes that need 
 constexpr double one_round = 0.015;         // targets from here on need no rounds before
 constexpr double still_settling = 0.7;      // of the error before: rounds still bring it down
 constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
-constexpr double first_for = 0.64;                        // samples of each lamp, times the target
+constexpr double first_for = 0.96;                        // samples of each lamp, times the target
 constexpr int most_first = 512;
 constexpr double promising = 0.9;  // of the target: worth more points
 constexpr int most_checks = 8;
