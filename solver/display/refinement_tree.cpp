@@ -1,16 +1,10 @@
 #include "solver/display/refinement_tree.h"
 
-#include "solver/rays/low_discrepancy.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
 
 namespace patchlight {
-
-std::size_t RefinementTree::EdgeHash::operator()(const Edge& edge) const {
-    return mix((std::uint64_t{edge.a} << 32) | edge.b, edge.owner);
-}
 
 RefinementTree::RefinementTree(const PatchMesh& mesh, const FlatCorners& corners)
     : vertices_(corners.count) {
@@ -45,8 +39,7 @@ RefinementTree::Edge RefinementTree::half(const TreeElement& element, std::size_
 }
 
 std::uint32_t RefinementTree::middle(const TreeElement& element, std::size_t k) const {
-    const auto found = middles_.find(edge_of(element, k));
-    return found == middles_.end() ? none : found->second;
+    return middles_.find(edge_of(element, k));
 }
 
 std::uint32_t RefinementTree::centre(const TreeElement& element) const {
@@ -56,18 +49,17 @@ std::uint32_t RefinementTree::centre(const TreeElement& element) const {
 
 std::uint32_t RefinementTree::make_middle(const TreeElement& element, std::size_t k) {
     const Edge edge = edge_of(element, k);
-    const auto [place, fresh] =
-        middles_.try_emplace(edge, static_cast<std::uint32_t>(vertices_.size()));
-    if (fresh) {
-        TreeVertex vertex;
-        vertex.position = 0.5 * (vertices_[edge.a].position + vertices_[edge.b].position);
-        vertex.patch = element.patch;
-        vertex.parents = {edge.a, edge.b, 0, 0};
-        vertex.parent_count = 2;
-        vertex.row = row(element, k);
-        vertices_.push_back(vertex);
-    }
-    return place->second;
+    if (const std::uint32_t found = middles_.find(edge); found != none) return found;
+    TreeVertex vertex;
+    vertex.position = 0.5 * (vertices_[edge.a].position + vertices_[edge.b].position);
+    vertex.patch = element.patch;
+    vertex.parents = {edge.a, edge.b, 0, 0};
+    vertex.parent_count = 2;
+    vertex.row = row(element, k);
+    const auto number = static_cast<std::uint32_t>(vertices_.size());
+    middles_.add(edge, number);
+    vertices_.push_back(vertex);
+    return number;
 }
 
 /// The edge from a to b is half of one that ends beyond b, or of the line across a quad whose
@@ -90,9 +82,10 @@ std::optional<VertexRow> RefinementTree::row_inside_triangle(std::uint32_t a, st
             if (p.parents[k] != q.parents[l]) continue;
             const std::uint32_t c = p.parents[1 - k], d = q.parents[1 - l];
             for (const std::uint32_t owner : {0u, patch + 1})
-                if (const auto found = middles_.find({std::min(c, d), std::max(c, d), owner});
-                    found != middles_.end())
-                    return VertexRow{c, found->second, d};
+                if (const std::uint32_t found =
+                        middles_.find({std::min(c, d), std::max(c, d), owner});
+                    found != none)
+                    return VertexRow{c, found, d};
         }
     return std::nullopt;
 }
@@ -150,6 +143,7 @@ void RefinementTree::split(std::uint32_t number) {
 std::vector<std::uint32_t> RefinementTree::balance() {
     std::vector<std::uint32_t> done;
     const auto any = [](std::uint32_t) { return true; };
+    if (elements_.size() == balanced_) return done;
     for (std::size_t before = done.size() + 1; before != done.size();) {
         before = done.size();
         for (std::uint32_t e = 0; e < elements_.size(); ++e)
@@ -158,6 +152,7 @@ std::vector<std::uint32_t> RefinementTree::balance() {
                 done.push_back(e);
             }
     }
+    balanced_ = elements_.size();
     return done;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "solver/display/edge_middles.h"
 #include "solver/display/flat_corners.h"
 #include "solver/mesh/patch_mesh.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace patchlight {
@@ -56,7 +56,7 @@ class RefinementTree {
     /// Splits leaves until none has an edge cut in more than two. Those that were split, in order.
     std::vector<std::uint32_t> balance();
 
-    static constexpr std::uint32_t none = ~0u;
+    static constexpr std::uint32_t none = EdgeMiddles::none;
     /// The vertex in the middle of the edge from corner k on, if either side was cut there.
     std::uint32_t middle(const TreeElement& element, std::size_t k) const;
     /// The vertex in the middle of a quad that was split; none of a triangle.
@@ -65,14 +65,7 @@ class RefinementTree {
     std::optional<VertexRow> row(const TreeElement& element, std::size_t k) const;
 
   private:
-    struct Edge {
-        std::uint32_t a = 0, b = 0;  // a < b
-        std::uint32_t owner = 0;     // 0, or on a crease the root's number and 1: not shared
-        bool operator==(const Edge&) const = default;
-    };
-    struct EdgeHash {
-        std::size_t operator()(const Edge& edge) const;
-    };
+    using Edge = EdgeMiddles::Edge;  // its owner: 0, or on a crease the root's number and 1
     static Edge edge_of(const TreeElement& element, std::size_t k);
     Edge half(const TreeElement& element, std::size_t k, std::uint32_t end,
               std::uint32_t middle) const;
@@ -84,7 +77,8 @@ class RefinementTree {
                    std::uint8_t creases);
     std::vector<TreeVertex> vertices_;
     std::vector<TreeElement> elements_;
-    std::unordered_map<Edge, std::uint32_t, EdgeHash> middles_;
+    EdgeMiddles middles_;
+    std::size_t balanced_ = 0;  // elements there were when that was last done
 };
 
 template <typename Counts>
@@ -94,8 +88,8 @@ bool RefinementTree::is_cut_twice(const TreeElement& element, const Counts& coun
         if (m == none || !counts(m)) continue;
         const Edge edge = edge_of(element, k);
         for (const std::uint32_t end : {edge.a, edge.b})
-            if (const auto found = middles_.find(half(element, k, end, m));
-                found != middles_.end() && counts(found->second))
+            if (const std::uint32_t found = middles_.find(half(element, k, end, m));
+                found != none && counts(found))
                 return true;
     }
     return false;
