@@ -2,6 +2,8 @@
 
 #include "solver/scene/polygon.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -30,6 +32,13 @@ std::vector<std::size_t> cells_along(const PatchMesh& mesh, const DisplayMesh& d
     return count;
 }
 
+std::vector<std::vector<std::uint32_t>> by_patch(const DisplayMesh& display, std::size_t patches) {
+    std::vector<std::vector<std::uint32_t>> triangles(patches);
+    for (std::uint32_t t = 0; t < display.triangles.size(); ++t)
+        triangles[display.patch[t]].push_back(t);
+    return triangles;
+}
+
 struct Axes {  // of a patch: (p - origin)·u counts cells along its first edge, ·v along its last
     Vec3 origin, e1, e2, u, v;
 
@@ -52,15 +61,15 @@ struct Axes {  // of a patch: (p - origin)·u counts cells along its first edge,
 /// Adds triangles to the cells of a patch: to those whose centres it covers, or to the one it is
 /// in.
 struct FieldTable::Filler {
-    std::size_t first = 0, count = 1;        // cells of the patch
-    std::vector<std::array<double, 4>> sum;  // per cell: weighted values, weight
+    std::size_t count = 1;                        // cells along each direction
+    std::vector<std::array<double, 4>> sum = {};  // per cell: weighted values, weight
 
     std::size_t cell(double u) const {
         return std::min(static_cast<std::size_t>(std::max(0.0, u)), count - 1);
     }
 
     void add(const Vec2& at, const Rgb& value, double weight) {
-        auto& entry = sum[first + cell(at.y()) * count + cell(at.x())];
+        auto& entry = sum[cell(at.y()) * count + cell(at.x())];
         for (std::size_t c = 0; c < 3; ++c)
             entry[c] += weight * value[static_cast<Eigen::Index>(c)];
         entry[3] += weight;
@@ -84,6 +93,17 @@ struct FieldTable::Filler {
             }
         if (!any) add((p[0] + p[1] + p[2]) / 3.0, (value[0] + value[1] + value[2]) / 3.0, twice);
     }
+
+    /// Cells beyond a triangle's long edge are looked up by rounding: they hold what is before.
+    void write(std::array<float, 3>* cells) const {
+        std::array<float, 3> last{};
+        for (std::size_t c = 0; c < sum.size(); ++c) {
+            if (sum[c][3] > 0.0)
+                for (std::size_t k = 0; k < 3; ++k)
+                    last[k] = static_cast<float>(sum[c][k] / sum[c][3]);
+            cells[c] = last;
+        }
+    }
 };
 
 FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const RayScene& rays,
@@ -105,28 +125,18 @@ FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const 
         cells += count[i] * count[i];
     }
     cells_.resize(cells);
-    Filler filler;
-    filler.sum.resize(cells);
-    for (std::size_t t = 0; t < display.triangles.size(); ++t) {
-        const auto [a, b, c] = display.triangles[t];
-        const PatchIndex i = display.patch[t];
-        filler.first = frames_[i].first;
-        filler.count = frames_[i].count;
-        filler.add_triangle({axes[i].at(display.positions[a]), axes[i].at(display.positions[b]),
-                             axes[i].at(display.positions[c])},
-                            {values[a], values[b], values[c]});
-    }
-    for (PatchIndex i = 0; i < mesh.size(); ++i) {
-        std::array<float, 3>
-            last{};  // cells beyond a triangle's long edge are looked up by rounding
-        for (std::size_t c = first_cell(i); c < end_cell(i); ++c) {
-            const auto& entry = filler.sum[c];
-            if (entry[3] > 0.0)
-                for (std::size_t k = 0; k < 3; ++k)
-                    last[k] = static_cast<float>(entry[k] / entry[3]);
-            cells_[c] = last;
+    const std::vector<std::vector<std::uint32_t>> triangles = by_patch(display, mesh.size());
+    tbb::parallel_for(std::size_t{0}, mesh.size(), [&](std::size_t i) {
+        Filler filler{count[i]};
+        filler.sum.resize(count[i] * count[i]);
+        for (const std::uint32_t t : triangles[i]) {
+            const auto [a, b, c] = display.triangles[t];
+            filler.add_triangle({axes[i].at(display.positions[a]), axes[i].at(display.positions[b]),
+                                 axes[i].at(display.positions[c])},
+                                {values[a], values[b], values[c]});
         }
-    }
+        filler.write(&cells_[frames_[i].first]);
+    });
 }
 
 void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3d& slope) {

@@ -1,5 +1,7 @@
 #include "solver/display/likely_field.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,6 +32,27 @@ struct Bond {
     }
 };
 
+constexpr std::size_t part = 1024;  // that one thread does at a time
+
+template <typename At>
+void in_parts(std::size_t count, const At& at) {
+    tbb::parallel_for(std::size_t{0}, (count + part - 1) / part, [&](std::size_t p) {
+        for (std::size_t k = p * part; k < std::min(count, (p + 1) * part); ++k) at(k);
+    });
+}
+
+/// Sums by parts, so that they do not hang on who does which.
+template <typename At>
+Rgb sum_of(std::size_t count, const At& at) {
+    std::vector<Rgb> sums((count + part - 1) / part, Rgb::Zero());
+    tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t p) {
+        for (std::size_t k = p * part; k < std::min(count, (p + 1) * part); ++k) sums[p] += at(k);
+    });
+    Rgb sum = Rgb::Zero();
+    for (const Rgb& of_part : sums) sum += of_part;
+    return sum;
+}
+
 class Smoothing {
   public:
     Smoothing(const RefinementTree& tree, const NoisyField& field, double least_miss)
@@ -37,6 +60,7 @@ class Smoothing {
         spread_variance();
         bind();
         loosen();
+        list_uses();
     }
     std::vector<Rgb> solve() const;
 
@@ -46,7 +70,10 @@ class Smoothing {
     void loosen();
     std::vector<double> excess() const;
     std::vector<double> evened(const std::vector<double>& of_bonds) const;
-    std::vector<Rgb> times_system(const std::vector<Rgb>& u) const;
+    void list_uses();
+    double diagonal(std::size_t v) const;
+    std::vector<Rgb> pulls(const std::vector<Rgb>& u) const;
+    Rgb product(std::size_t v, const std::vector<Rgb>& u, const std::vector<Rgb>& pull) const;
     bool is_bound(std::uint32_t v) const { return bond_of_[v] != RefinementTree::none; }
 
     const RefinementTree& tree_;
@@ -55,6 +82,13 @@ class Smoothing {
     std::vector<double> variance_;  // per vertex, evened out [W²/m⁴]
     std::vector<Bond> bonds_;
     std::vector<std::uint32_t> bond_of_;  // per vertex
+    std::vector<std::uint32_t> known_;    // vertices
+    struct Use {
+        std::uint32_t bond = 0;
+        double weight = 0.0;
+    };
+    std::vector<std::size_t> first_use_;  // per vertex, and the end
+    std::vector<Use> uses_;
 };
 
 /// The variance of one vertex is itself a guess from two halves: means with those about it.
@@ -89,6 +123,8 @@ void Smoothing::spread_variance() {
 }
 
 void Smoothing::bind() {
+    for (std::uint32_t v = 0; v < field_.known.size(); ++v)
+        if (field_.known[v]) known_.push_back(v);
     bond_of_.assign(tree_.vertices().size(), RefinementTree::none);
     const auto known = [&](std::uint32_t v) { return field_.known[v]; };
     for (std::uint32_t v = 0; v < tree_.vertices().size(); ++v) {
@@ -167,48 +203,76 @@ void Smoothing::loosen() {
         bonds_[b].tightness = 1.0 / (std::max(missed[b], 0.0) + least_square_ + 1e-300);
 }
 
-std::vector<Rgb> Smoothing::times_system(const std::vector<Rgb>& u) const {
-    std::vector<Rgb> product(u.size());
-    for (std::size_t v = 0; v < u.size(); ++v) product[v] = u[v] / variance_[v];
-    for (const Bond& bond : bonds_) {
-        const Rgb pull = bond.tightness * bond.of(u);
-        for (std::size_t k = 0; k < bond.count; ++k)
-            product[bond.vertex[k]] += bond.weight[k] * pull;
-    }
-    return product;
+/// Which bonds each vertex is part of.
+void Smoothing::list_uses() {
+    first_use_.assign(tree_.vertices().size() + 1, 0);
+    for (const Bond& bond : bonds_)
+        for (std::size_t k = 0; k < bond.count; ++k) ++first_use_[bond.vertex[k] + 1];
+    for (std::size_t v = 1; v < first_use_.size(); ++v) first_use_[v] += first_use_[v - 1];
+    uses_.resize(first_use_.back());
+    std::vector<std::size_t> next(first_use_.begin(), first_use_.end() - 1);
+    for (std::uint32_t b = 0; b < bonds_.size(); ++b)
+        for (std::size_t k = 0; k < bonds_[b].count; ++k)
+            uses_[next[bonds_[b].vertex[k]]++] = {b, bonds_[b].weight[k]};
+}
+
+double Smoothing::diagonal(std::size_t v) const {
+    double sum = 1.0 / variance_[v];
+    for (std::size_t n = first_use_[v]; n < first_use_[v + 1]; ++n)
+        sum += uses_[n].weight * uses_[n].weight * bonds_[uses_[n].bond].tightness;
+    return sum;
+}
+
+/// What all bonds pull, for product().
+std::vector<Rgb> Smoothing::pulls(const std::vector<Rgb>& u) const {
+    std::vector<Rgb> pull(bonds_.size());
+    in_parts(bonds_.size(),
+             [&](std::size_t b) { pull[b] = bonds_[b].tightness * bonds_[b].of(u); });
+    return pull;
+}
+
+/// The system times u at one vertex.
+Rgb Smoothing::product(std::size_t v, const std::vector<Rgb>& u,
+                       const std::vector<Rgb>& pull) const {
+    Rgb sum = u[v] / variance_[v];
+    for (std::size_t n = first_use_[v]; n < first_use_[v + 1]; ++n)
+        sum += uses_[n].weight * pull[uses_[n].bond];
+    return sum;
 }
 
 /// Conjugate gradients on what changes, each channel by itself, scaled by the diagonal.
 std::vector<Rgb> Smoothing::solve() const {
-    const std::size_t n = field_.values.size();
-    std::vector<double> diagonal(n);
-    for (std::size_t v = 0; v < n; ++v) diagonal[v] = 1.0 / variance_[v];
-    for (const Bond& bond : bonds_)
-        for (std::size_t k = 0; k < bond.count; ++k)
-            diagonal[bond.vertex[k]] += bond.weight[k] * bond.weight[k] * bond.tightness;
-    std::vector<Rgb> u(field_.values.begin(), field_.values.end()), residual(n), step(n);
-    std::vector<Rgb> product = times_system(u);
-    Rgb power = Rgb::Zero(), first = Rgb::Zero();
-    for (std::size_t v = 0; v < n; ++v) {
-        residual[v] = field_.values[v] / variance_[v] - product[v];
-        step[v] = residual[v] / diagonal[v];
-        power += residual[v] * step[v];
-    }
-    first = power;
-    for (int k = 0; k < most_steps; ++k) {
+    const std::size_t n = field_.values.size(), known = known_.size();
+    std::vector<double> scale(n);
+    std::vector<Rgb> u(field_.values.begin(), field_.values.end()), residual(n), step(n), along(n);
+    std::vector<Rgb> pull = pulls(u);
+    Rgb power = sum_of(known, [&](std::size_t k) {
+        const std::uint32_t v = known_[k];
+        scale[v] = 1.0 / diagonal(v);
+        residual[v] = field_.values[v] / variance_[v] - product(v, u, pull);
+        step[v] = scale[v] * residual[v];
+        return Rgb(residual[v] * step[v]);
+    });
+    const Rgb first = power;
+    for (int round = 0; round < most_steps; ++round) {
         if ((power <= small_enough * small_enough * first).all()) break;
-        product = times_system(step);
-        Rgb along = Rgb::Zero();
-        for (std::size_t v = 0; v < n; ++v) along += step[v] * product[v];
-        const Rgb length = (along > 0.0).select(power / along.max(1e-300), 0.0);
-        Rgb next = Rgb::Zero();
-        for (std::size_t v = 0; v < n; ++v) {
+        pull = pulls(step);
+        const Rgb curvature = sum_of(known, [&](std::size_t k) {
+            const std::uint32_t v = known_[k];
+            along[v] = product(v, step, pull);
+            return Rgb(step[v] * along[v]);
+        });
+        const Rgb length = (curvature > 0.0).select(power / curvature.max(1e-300), 0.0);
+        const Rgb next = sum_of(known, [&](std::size_t k) {
+            const std::uint32_t v = known_[k];
             u[v] += length * step[v];
-            residual[v] -= length * product[v];
-            next += residual[v] * residual[v] / diagonal[v];
-        }
+            residual[v] -= length * along[v];
+            return Rgb(scale[v] * residual[v] * residual[v]);
+        });
         const Rgb kept = (power > 0.0).select(next / power.max(1e-300), 0.0);
-        for (std::size_t v = 0; v < n; ++v) step[v] = residual[v] / diagonal[v] + kept * step[v];
+        in_parts(known, [&](std::size_t k) {
+            step[known_[k]] = scale[known_[k]] * residual[known_[k]] + kept * step[known_[k]];
+        });
         power = next;
     }
     return u;

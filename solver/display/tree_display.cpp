@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include <tuple>
+#include <map>
 #include <unordered_map>
 
 namespace patchlight {
@@ -15,8 +15,13 @@ struct Builder {
     const RefinementTree& tree;
     const SplitIrradiance& arriving;
     TreeDisplay shown;
-    std::unordered_map<std::uint64_t, std::uint32_t> numbers;  // of (vertex, object, material)
-    std::vector<std::uint32_t> looks;                          // per surface: number of its paint
+    struct Number {
+        std::uint32_t look = RefinementTree::none, number = 0;
+    };
+    std::vector<std::uint32_t> looks = {};  // per surface: number of its object and material
+    std::vector<Number> first_look = {};    // per vertex, as it first looked
+    std::map<std::uint64_t, std::uint32_t> other_looks =
+        {};  // (vertex, look), where it looks otherwise
 
     void number_looks() {
         std::unordered_map<std::uint64_t, std::uint32_t> found;
@@ -41,12 +46,17 @@ struct Builder {
     }
 
     std::uint32_t number(std::uint32_t v, PatchIndex patch) {
-        const std::uint64_t key = (std::uint64_t{v} << 32) | looks[mesh.patches[patch].surface];
-        const auto [place, fresh] = numbers.try_emplace(key, 0u);
-        if (fresh)
-            place->second =
-                add(tree.vertices()[v].position, arriving.direct[v], arriving.indirect[v], patch);
-        return place->second;
+        const std::uint32_t look = looks[mesh.patches[patch].surface];
+        const auto fresh = [&] {
+            return add(tree.vertices()[v].position, arriving.direct[v], arriving.indirect[v],
+                       patch);
+        };
+        if (first_look[v].look == RefinementTree::none) first_look[v] = {look, fresh()};
+        if (first_look[v].look == look) return first_look[v].number;
+        const std::uint64_t key = (std::uint64_t{v} << 32) | look;
+        const auto found = other_looks.find(key);
+        return found != other_looks.end() ? found->second
+                                          : other_looks.emplace(key, fresh()).first->second;
     }
 
     void triangle(PatchIndex patch, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -98,7 +108,8 @@ struct Builder {
 
 TreeDisplay make_tree_display(const Scene& scene, const PatchMesh& mesh, const RefinementTree& tree,
                               const SplitIrradiance& arriving) {
-    Builder builder{scene, mesh, tree, arriving, {}, {}, {}};
+    Builder builder{scene, mesh, tree, arriving, {}};
+    builder.first_look.resize(tree.vertices().size());
     builder.number_looks();
     for (const TreeElement& element : tree.elements())
         if (element.is_leaf()) builder.leaf(element);
