@@ -14,7 +14,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t lattice = 192;
+constexpr std::size_t lattice = 320;
 
 std::size_t cell(double x) {
     return static_cast<std::size_t>(
