@@ -122,6 +122,8 @@ FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const 
                        v = (axes[i].v / rays.scale()).cast<float>();
         frames_[i] = {o.x(), o.y(), o.z(), u.x(), u.y(),   u.z(),
                       v.x(), v.y(), v.z(), cells, count[i]};
+        edges_.push_back({o, (rays.scale() * axes[i].e1).cast<float>(),
+                          (rays.scale() * axes[i].e2).cast<float>()});
         cells += count[i] * count[i];
     }
     cells_.resize(cells);
@@ -154,12 +156,11 @@ void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3
 FieldTable::Spot FieldTable::spot(PatchIndex i, std::size_t cell, float u, float v) const {
     const std::size_t count = frames_[i].count, number = cell - frames_[i].first;
     const auto along = static_cast<float>(count);
+    const Edges& edges = edges_[i];
     Spot spot;
     spot.u = (static_cast<float>(number % count) + u) / along;
     spot.v = (static_cast<float>(number / count) + v) / along;
-    const Axes axes(mesh_, i, count);
-    spot.position = rays_.to_ray_space(axes.origin + static_cast<double>(spot.u) * axes.e1 +
-                                       static_cast<double>(spot.v) * axes.e2);
+    spot.position = edges.origin + spot.u * edges.first + spot.v * edges.last;
     return spot;
 }
 

@@ -53,6 +53,9 @@ class FieldTable {
         float ox = 0, oy = 0, oz = 0, ux = 0, uy = 0, uz = 0, vx = 0, vy = 0, vz = 0;
         std::size_t first = 0, count = 1;  // cells, and how many along each direction
     };
+    struct Edges {  // of a patch, from its first corner [ray space]
+        RayPoint origin, first, last;
+    };
     struct Filler;
     /// Of what lies far off a needle, or nowhere, too.
     static std::size_t row(float u, std::size_t count) {
@@ -64,6 +67,7 @@ class FieldTable {
     const PatchMesh& mesh_;
     const RayScene& rays_;
     std::vector<Frame> frames_;
+    std::vector<Edges> edges_;
     std::vector<double> areas_;
     std::vector<std::array<float, 3>> cells_;
 };

@@ -53,21 +53,36 @@ ReflectedField::ReflectedField(const Scene& scene, const PatchMesh& mesh, const 
             bright_.push_back({c, i, power});
         }
     }
-    if (power > 0.0) per_power_ = static_cast<float>(1.0 / power);
+    if (!(power > 0.0)) return;
+    per_power_ = static_cast<float>(1.0 / power);
+    guide_.reserve(bright_.size());
+    std::uint32_t n = 0;
+    for (std::size_t step = 0; step < bright_.size(); ++step) {
+        const double at = power * static_cast<double>(step) / static_cast<double>(bright_.size());
+        while (n + 1 < bright_.size() && bright_[n].power <= at) ++n;
+        guide_.push_back(n);
+    }
+}
+
+/// Where the cumulated power passes that share of all of it.
+const ReflectedField::Bright& ReflectedField::bright_at(float pick) const {
+    const double at = static_cast<double>(pick) * bright_.back().power;
+    const auto step = static_cast<std::size_t>(pick * static_cast<float>(guide_.size()));
+    std::uint32_t n = guide_[std::min(step, guide_.size() - 1)];
+    while (n > 0 && bright_[n - 1].power > at) --n;  // beyond it by rounding
+    while (n + 1 < bright_.size() && bright_[n].power <= at) ++n;
+    return bright_[n];
 }
 
 ReflectedField::Sample ReflectedField::sample(float pick, float u, float v) const {
-    const double at = static_cast<double>(pick) * bright_.back().power;
-    const auto found =
-        std::upper_bound(bright_.begin(), bright_.end() - 1, at,
-                         [](double power, const Bright& bright) { return power < bright.power; });
+    const Bright& found = bright_at(pick);
     Sample sample;
-    const SurfaceIndex s = mesh_.patches[found->patch].surface;
-    const FieldTable::Spot spot = table_.spot(found->patch, found->cell, u, v);
+    const SurfaceIndex s = mesh_.patches[found.patch].surface;
+    const FieldTable::Spot spot = table_.spot(found.patch, found.cell, u, v);
     sample.normal = normals_[s];
     sample.position = spot.position + rays_.lift(s) * sample.normal;
-    sample.seen = seen(found->cell);
-    sample.on_patch = spot.u + spot.v <= 1.0f || !mesh_.patches[found->patch].is_triangle();
+    sample.seen = seen(found.cell);
+    sample.on_patch = spot.u + spot.v <= 1.0f || !mesh_.patches[found.patch].is_triangle();
     return sample;
 }
 

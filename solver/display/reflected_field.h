@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace patchlight {
@@ -63,14 +64,16 @@ class ReflectedField {
         PatchIndex patch = 0;
         double power = 0.0;  // cumulated
     };
+    const Bright& bright_at(float pick) const;
     const PatchMesh& mesh_;
     const RayScene& rays_;
     const PatchLocator& locator_;
     FieldTable table_;
-    std::vector<RayPoint> normals_;  // of surfaces
-    std::vector<Bright> bright_;     // cells with an excess
-    float threshold_ = 0.0f;         // [W/m²]
-    float per_power_ = 0.0f;         // one over the excess times its area in ray space, summed
+    std::vector<RayPoint> normals_;     // of surfaces
+    std::vector<Bright> bright_;        // cells with an excess
+    std::vector<std::uint32_t> guide_;  // per equal step of power: where in `bright_` it begins
+    float threshold_ = 0.0f;            // [W/m²]
+    float per_power_ = 0.0f;            // one over the excess times its area in ray space, summed
 };
 
 }  // namespace patchlight

@@ -12,7 +12,9 @@ namespace patchlight {
 
 namespace {
 constexpr double parallelogram = 1e-7;  // of its size: largest misfit of the fourth corner [1]
-}
+constexpr double finer = 4.0;           // cells along a mean patch: most lie within one
+constexpr float slack = 4e-3f;          // of a cell, for rounding
+}  // namespace
 
 PatchLocator::PatchLocator(const Scene& scene, const PatchMesh& mesh, const RayScene& rays)
     : cells_(scene.surfaces.size()), shapes_(mesh.size()) {
@@ -57,11 +59,13 @@ void PatchLocator::list_patches(Cells& cells, const Surface& surface, const Patc
     Eigen::AlignedBox2d box;
     for (const Vec3& p : surface.corners) box.extend(frame.flat(p));
     const double count = end - cells.first;
-    const double edge = std::sqrt(box.volume() / count);
+    const double edge = std::sqrt(box.volume() / count) / finer;
     const Vec2 size = box.sizes();
     cells.listed = true;
-    cells.nu = static_cast<std::int32_t>(std::clamp(std::ceil(size.x() / edge), 1.0, count));
-    cells.nv = static_cast<std::int32_t>(std::clamp(std::ceil(size.y() / edge), 1.0, count));
+    cells.nu =
+        static_cast<std::int32_t>(std::clamp(std::ceil(size.x() / edge), 1.0, finer * count));
+    cells.nv =
+        static_cast<std::int32_t>(std::clamp(std::ceil(size.y() / edge), 1.0, finer * count));
     const Vec2 per_metre(cells.nu / size.x(), cells.nv / size.y());
     const RayPoint origin = rays.to_ray_space(frame.lift(box.min()));
     cells.ox = origin.x(), cells.oy = origin.y(), cells.oz = origin.z();
@@ -70,14 +74,14 @@ void PatchLocator::list_patches(Cells& cells, const Surface& surface, const Patc
     std::vector<std::vector<PatchIndex>> over(static_cast<std::size_t>(cells.nu) *
                                               static_cast<std::size_t>(cells.nv));
     for (PatchIndex p = cells.first; p < end; ++p) {
+        std::array<Vec2, 4> corners;
         Eigen::AlignedBox2f reach;
         for (std::size_t k = 0; k < 4; ++k) {
-            const Vec2 flat = (frame.flat(mesh.vertices[mesh.patches[p].vertices[k]]) - box.min())
-                                  .cwiseProduct(per_metre);
-            shapes_[p].corners[k] = flat.cast<float>();
-            reach.extend(shapes_[p].corners[k]);
+            corners[k] = (frame.flat(mesh.vertices[mesh.patches[p].vertices[k]]) - box.min())
+                             .cwiseProduct(per_metre);
+            reach.extend(corners[k].cast<float>());
         }
-        constexpr float slack = 1e-3f;  // of a cell, for rounding
+        shapes_[p] = lines_of(corners);
         for (std::int32_t j = clamp(static_cast<std::int32_t>(reach.min().y() - slack), cells.nv);
              j <= clamp(static_cast<std::int32_t>(reach.max().y() + slack), cells.nv); ++j)
             for (std::int32_t i =
@@ -92,21 +96,28 @@ void PatchLocator::list_patches(Cells& cells, const Surface& surface, const Patc
     }
 }
 
-PatchIndex PatchLocator::search(const Cells& cells, std::int32_t i, std::int32_t j, float u,
+PatchLocator::Shape PatchLocator::lines_of(const std::array<Vec2, 4>& corners) {
+    Shape lines{};
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Vec2 &a = corners[k], edge = corners[(k + 1) % 4] - a;
+        const double length = edge.norm();
+        if (length == 0.0) continue;  // of a triangle: nothing is beyond it
+        lines[k].u = static_cast<float>(edge.y() / length);
+        lines[k].v = static_cast<float>(-edge.x() / length);
+        lines[k].w = static_cast<float>((edge.x() * a.y() - edge.y() * a.x()) / length);
+    }
+    return lines;
+}
+
+/// Of the patches listed from first on, before end.
+PatchIndex PatchLocator::search(const Cells& cells, std::uint32_t first, std::uint32_t end, float u,
                                 float v) const {
-    const std::size_t cell = cells.first_list + static_cast<std::size_t>(j * cells.nu + i);
     PatchIndex best = cells.first;
     float least_outside = std::numeric_limits<float>::infinity();
-    for (std::uint32_t at = list_starts_[cell]; at < list_starts_[cell + 1]; ++at) {
-        const auto& corners = shapes_[lists_[at]].corners;
+    for (std::uint32_t at = first; at < end; ++at) {
         float outside = 0.0f;  // beyond the edge it is farthest beyond
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Eigen::Vector2f &a = corners[k], &b = corners[(k + 1) % 4];
-            const float length = (b - a).norm();
-            if (length == 0.0f) continue;
-            outside = std::max(
-                outside, -((b.x() - a.x()) * (v - a.y()) - (b.y() - a.y()) * (u - a.x())) / length);
-        }
+        for (const Line& line : shapes_[lists_[at]])
+            outside = std::max(outside, line.u * u + line.v * v + line.w);
         if (outside == 0.0f) return lists_[at];
         if (outside < least_outside) {
             least_outside = outside;

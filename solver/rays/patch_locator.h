@@ -3,6 +3,7 @@
 #include "solver/mesh/patch_mesh.h"
 #include "solver/rays/ray_scene.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,7 +26,9 @@ class PatchLocator {
         const std::int32_t i = clamp(static_cast<std::int32_t>(u), cells.nu);
         const std::int32_t j = clamp(static_cast<std::int32_t>(v), cells.nv);
         if (!cells.listed) return cells.first + static_cast<PatchIndex>(j * cells.nu + i);
-        return search(cells, i, j, u, v);
+        const std::size_t cell = cells.first_list + static_cast<std::size_t>(j * cells.nu + i);
+        const std::uint32_t first = list_starts_[cell], end = list_starts_[cell + 1];
+        return end - first == 1 ? lists_[first] : search(cells, first, end, u, v);
     }
 
   private:
@@ -36,9 +39,11 @@ class PatchLocator {
         std::uint32_t first_list = 0;
         bool single = false, listed = false;
     };
-    struct Shape {  // corners of a patch in units of cells
-        std::array<Eigen::Vector2f, 4> corners;
+    struct Line {  // u·a + v·b + w: how far (a, b) is beyond it, in cells
+        float u = 0, v = 0, w = 0;
     };
+    using Shape = std::array<Line, 4>;  // round a patch
+    static Shape lines_of(const std::array<Vec2, 4>& corners);
     static std::int32_t clamp(std::int32_t i, std::int32_t n) {
         return i < 0 ? 0 : i >= n ? n - 1 : i;
     }
@@ -47,7 +52,8 @@ class PatchLocator {
                   const RayScene& rays) const;
     void list_patches(Cells& cells, const Surface& surface, const PatchMesh& mesh, PatchIndex end,
                       const RayScene& rays);
-    PatchIndex search(const Cells& cells, std::int32_t i, std::int32_t j, float u, float v) const;
+    PatchIndex search(const Cells& cells, std::uint32_t first, std::uint32_t end, float u,
+                      float v) const;
 
     std::vector<Cells> cells_;                // per surface
     std::vector<std::uint32_t> list_starts_;  // per cell of a listed surface, and one more
