@@ -19,16 +19,17 @@ namespace patchlight {
 namespace {
 
 /// Shares of the target that causes of error are planned to have. What they come to is measured.
-constexpr double direct_share = 0.12, indirect_share = 0.20, noise_share = 0.31;
+constexpr double direct_share = 0.12, indirect_share = 0.25, noise_share = 0.31;
 constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
 constexpr double uncorrected = 2.0;         // times a change that could not be sent on
-constexpr double coarser = 2.0;             // times the target, in the rounds before the last
-constexpr double settled = 0.5;             // of the target: changes that need no further round
-constexpr double one_round = 0.015;         // targets from here on need no rounds before
-constexpr double still_settling = 0.7;      // of the error before: rounds still bring it down
+constexpr double coarser = 2.0;  // times the target, in rounds that tell what the last ones need
+constexpr double settled = 0.5;  // of the target: changes that need no further round
+constexpr double one_round = 0.015;     // targets from here on need no rounds before
+constexpr double still_settling = 0.7;  // of the error before: rounds still bring it down
 constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
-constexpr double first_for = 0.96;                        // samples of each lamp, times the target
+constexpr double first_for = 0.5;                         // samples of each lamp, times the target
 constexpr int most_first = 512;
+constexpr double doubtful = 1.4;   // times what was measured: few points count for much
 constexpr double promising = 0.9;  // of the target: worth more points
 constexpr int most_checks = 8;
 constexpr std::size_t vertices_per_check = 8;
@@ -65,7 +66,7 @@ class AccuracySolve {
     void measure();
     void aim_closer();
     bool is_settling();
-    void settle();
+    bool settle();
     void account();
     void finish();
     void light_sensors();
@@ -122,12 +123,13 @@ bool AccuracySolve::gather(double coarseness) {
         [this](int iteration, double residual) { return observe(iteration, residual); });
 }
 
-/// Until it is known well enough: where the target would be met but for the doubt that few points
-/// leave, or one of them counts for very much, more of them.
+/// Until it is known well enough: where the target would be met but for the
+/// doubt that few points leave, or one of them counts for very much, more of
+/// them.
 void AccuracySolve::measure() {
     CheckEffort effort;
     effort.direct = {std::max(64, 2 * aim_.effort.first), 2 * aim_.effort.most};
-    effort.rays = std::clamp(aim_.rays, 256, 4096);
+    effort.rays = std::clamp(aim_.rays / 64 * 32, 256, 4096);
     effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
         light_.pass().indirect().gathered() / vertices_per_check, 384, 4096));
     const bool corrected = solution_.settings.method != Method::shooting;
@@ -143,18 +145,20 @@ void AccuracySolve::measure() {
         estimate_error(*checks_, reflected, coarse, 0.0, solution_.error);
         const double without_doubt = *solution_.error.estimate;
         estimate_error(*checks_, reflected, coarse, sure, solution_.error);
-        const bool worth_it =
-            without_doubt < promising * target_ || *solution_.error.estimate > 1.4 * without_doubt;
+        const bool worth_it = without_doubt < promising * target_ ||
+                              (times == 1 && *solution_.error.estimate > doubtful * without_doubt);
         if (solution_.error.met() || !worth_it || !go_on()) break;
     }
 }
 
 void AccuracySolve::aim_closer() {
     const double over_norm = passed_on / light_.norm();
-    const RoundErrors errors{
-        over_norm * checks_->direct.at_most(1.0), over_norm * checks_->indirect.at_most(1.0),
-        over_norm * light_.pass().indirect_noise(),
-        over_norm * light_.pass().indirect().expected_miss(), light_.correction()};
+    const RoundErrors errors{over_norm * checks_->direct.at_most(1.0),
+                             over_norm * checks_->indirect.at_most(1.0),
+                             over_norm * light_.pass().indirect_noise(),
+                             over_norm * light_.pass().indirect().expected_miss(),
+                             light_.correction(),
+                             light_.read_coarsely()};
     const auto rays_for = [&](double less) {
         return light_.noise().rays_for(less * light_.noise().absolute(aim_.rays), fewest_rays,
                                        most_rays);
@@ -163,23 +167,28 @@ void AccuracySolve::aim_closer() {
     for (int round = 0; round < rounds_between && gather(coarser);) ++round;
 }
 
-/// Whether what rays read still changes, so that one more round alone brings the error down.
+/// Whether what rays read still changes, so that one more round alone brings
+/// the error down.
 bool AccuracySolve::is_settling() {
     const double before = std::exchange(last_correction_, light_.correction());
     return last_correction_ > settled * target_ && last_correction_ < still_settling * before;
 }
 
-/// Rounds that cost little, until they change little.
-void AccuracySolve::settle() {
-    for (int round = 0; round < most_rounds; ++round)
-        if (!gather(coarser) || !is_settling()) return;
+/// Rounds until they change little. False if the work was stopped.
+bool AccuracySolve::settle() {
+    for (int round = 0; round < most_rounds; ++round) {
+        if (!gather(1.0)) return false;
+        if (!is_settling()) break;
+    }
+    return true;
 }
 
 void AccuracySolve::run() {
     solution_.error.target = target_;
     solution_.status = Status::limit;
-    aim_.direct = direct_share * target_;
-    aim_.indirect = indirect_share * target_;
+    const double first_target = target_ < one_round ? coarser * target_ : target_;
+    aim_.direct = direct_share * first_target;
+    aim_.indirect = indirect_share * first_target;
     // The noise of a penumbra falls as n^-0.75.
     const double samples = samples_at * std::pow(samples_for / target_, 1.4);
     const double first = first_for / target_;
@@ -190,20 +199,21 @@ void AccuracySolve::run() {
     };
     if (prepare_transport() && light_.start(*transport_, backs_, aim_.effort,
                                             *solution_.settings.tolerance, observe_solve)) {
-        aim_.rays = light_.noise().rays_for(noise_share * target_ * std::sqrt(2.0) * light_.norm(),
-                                            fewest_rays, most_rays);
+        aim_.rays = light_.noise().rays_for(
+            noise_share * first_target * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();
         if (!light_.reflects()) {  // nothing is sent back, so nothing can be wrong
             if (gather(1.0)) solution_.status = Status::converged;
         } else {
-            if (target_ < one_round) settle();
-            for (int round = 0; round < most_rounds && gather(1.0); ++round) {
+            bool gathered = first_target > target_ ? settle() : gather(1.0);
+            for (int round = 0; gathered && round < most_rounds; ++round) {
                 measure();
                 if (solution_.error.met()) {
                     solution_.status = Status::converged;
                     break;
                 }
                 aim_closer();
+                gathered = gather(1.0);
             }
         }
     }
@@ -211,8 +221,8 @@ void AccuracySolve::run() {
     finish();
 }
 
-/// Each is gathered as finely as the target asks; without anything that reflects they are all the
-/// target refers to.
+/// Each is gathered as finely as the target asks; without anything that
+/// reflects they are all the target refers to.
 void AccuracySolve::light_sensors() {
     if (stage_.scene.sensors.empty() || !light_.field()) return;
     SensorEffort effort;

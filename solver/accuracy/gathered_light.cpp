@@ -143,13 +143,15 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
                                   std::min(most_elements, root_elements / std::sqrt(aim.direct))},
         indirect{aim.indirect * norm(), 1.0 / aim.indirect};
     if (!pass_.refine_direct(direct, aim.effort)) return false;
-    if (!shown_) {
+    const bool first = !shown_;
+    if (first) {
         const bool by_matrix = !exact_direct_.empty();  // shooting once more takes too long
         if (by_matrix && !solve_coarse(tolerance, observe)) return false;
         read_coarse();
     }
     if (aim.gathered == GatherAim::Indirect::anew) {
         read_newest();
+        read_coarsely_ = first;
         pass_.restart_indirect();
     }
     if (aim.gathered != GatherAim::Indirect::kept &&

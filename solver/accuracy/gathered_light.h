@@ -45,6 +45,8 @@ class GatheredLight {
     bool reflects() const { return coarse_->norm() > hardly_any(); }
     CheckReport check(const CheckEffort& effort, std::uint64_t seed) const;
     ReflectedLight reflected() const;
+    /// Whether rays of the last round read the coarse solution, not what was displayed.
+    bool read_coarsely() const { return read_coarsely_; }
     double correction() const { return correction_.size; }  // of the last round, over `norm` [1]
 
     const TreeDisplay* shown() const { return shown_ ? &*shown_ : nullptr; }
@@ -83,6 +85,7 @@ class GatheredLight {
     std::vector<Rgb> irradiance_;
     CoarseSolution::Correction correction_;
     std::optional<TreeDisplay> shown_;
+    bool read_coarsely_ = false;
     std::size_t direct_shown_ = 0;  // vertices where direct light was gathered, when it was shown
     std::optional<GatherNoise> noise_;
 };

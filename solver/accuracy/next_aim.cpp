@@ -1,6 +1,7 @@
 #include "solver/accuracy/next_aim.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -8,42 +9,74 @@ namespace patchlight {
 
 namespace {
 
-constexpr double planned = 0.8;      // of the target: all causes together, measured
-constexpr double joinable = 0.25;    // of the target: a change that rays need not read
+constexpr double planned = 0.75;     // of the target: all causes together, measured
+constexpr double a_little = 0.8;     // of what was missed, where it was within that
+constexpr double joinable = 0.10;    // of the target: a change that rays need not read
 constexpr double unexplained = 2.0;  // times noise and bends: what rays read is wrong
 constexpr double improving = 0.7;    // of the error before: rounds alone bring it down
+constexpr double smoothed = 0.85;    // of the noise, what smoothing leaves [1]
+constexpr double at_once = 0.5;      // of a cause, what one round brings it down to at most
 constexpr int most_first = 512;      // samples of each lamp
+
+/// The squares of direct light's errors, noise and bends that the least work leaves, of their sum:
+/// in proportion to the share of the work times the power of the error it grows with, about 0.2 x
+/// 1, 0.8 x 1.4 and 0.8 x 0.6.
+constexpr std::array<double, 3> least_work{0.11, 0.62, 0.27};
+
+/// What each may be, so that their squares sum to that of the whole: what is less than its share
+/// stays, and leaves the rest to the others.
+std::array<double, 3> shares_of(double whole, const std::array<double, 3>& missed) {
+    std::array<double, 3> allowed = missed;
+    std::array<bool, 3> stays{};
+    for (std::size_t round = 0; round < 3; ++round) {
+        double left = whole * whole, weights = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (stays[k])
+                left -= missed[k] * missed[k];
+            else
+                weights += least_work[k];
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!stays[k]) allowed[k] = std::sqrt(std::max(0.0, left) * least_work[k] / weights);
+        for (std::size_t k = 0; k < 3; ++k) stays[k] = stays[k] || missed[k] <= allowed[k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) allowed[k] = std::min(allowed[k], missed[k]);
+    return allowed;
+}
 
 }  // namespace
 
 double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
-    const double whole = planned * target_;
-    const auto beside = [&](double other) {
-        return std::sqrt(whole * whole - std::min(other * other, 0.5 * whole * whole));
+    const double noise = std::min(smoothed * errors.noise, errors.indirect),
+                 bends = std::sqrt(std::max(std::pow(errors.indirect, 2) - std::pow(noise, 2),
+                                            std::pow(errors.bent, 2)));
+    const std::array<double, 3> missed{errors.direct, noise, bends};
+    const double all = std::sqrt(std::pow(errors.direct, 2) + noise * noise + bends * bends);
+    const std::array<double, 3> allowed =
+        shares_of(std::min(planned * target_, a_little * all), missed);
+    const auto scale = [&](std::size_t k) {
+        return missed[k] > allowed[k] ? std::max(at_once, allowed[k] / missed[k]) : 1.0;
     };
-    const auto closer = [](double missed, double allowed) {
-        return std::clamp(0.8 * allowed / missed, 0.3, 0.8);
-    };
-    const double for_direct = beside(errors.indirect), for_indirect = beside(errors.direct);
-    if (errors.direct > for_direct || errors.direct > errors.indirect) {
-        aim.direct *= closer(errors.direct, for_direct);
-        aim.effort.first = std::min(2 * aim.effort.first, most_first);
+    if (scale(0) < 1.0) {
+        aim.direct *= scale(0);
+        // The next time, it was not bends alone: there is what samples did not find.
+        if (std::exchange(direct_missed_, true))
+            aim.effort.first = std::min(2 * aim.effort.first, most_first);
     }
-    if (errors.indirect <= for_indirect && errors.indirect < errors.direct) {
+    if (scale(1) == 1.0 && scale(2) == 1.0) {
         aim.gathered = GatherAim::Indirect::kept;
         return 1.0;
     }
     const bool explained = errors.indirect < unexplained * std::hypot(errors.noise, errors.bent);
-    const bool may_join = explained && errors.correction < joinable * target_ &&
+    const bool may_join = explained && !errors.read_coarse &&
+                          errors.correction < joinable * target_ &&
                           aim.gathered != GatherAim::Indirect::joined;
     aim.gathered = may_join ? GatherAim::Indirect::joined : GatherAim::Indirect::anew;
     const double before = std::exchange(last_indirect_, errors.indirect);
     is_settling_ = !explained && errors.indirect < improving * before;
     if (is_settling_) return 1.0;
-    const double scale = closer(errors.indirect, for_indirect);
-    if (errors.noise > 0.5 * errors.indirect) return scale;
-    aim.indirect *= scale;
-    return std::sqrt(scale);  // noise may be more than halves tell
+    aim.indirect *= scale(2);
+    return scale(1);
 }
 
 }  // namespace patchlight

@@ -11,6 +11,7 @@ struct RoundErrors {
     double direct = 0.0, indirect = 0.0;  // measured at check points
     double noise = 0.0, bent = 0.0;       // of `indirect`, what rays and interpolation explain
     double correction = 0.0;              // what the round changed
+    bool read_coarse = false;             // rays read a solution coarser than what they gathered
 };
 
 /// What the next round aims at, where the one before missed the target.
@@ -18,11 +19,11 @@ class NextAim {
   public:
     explicit NextAim(double target) : target_(target) {}
 
-    /// What was missed by more than its share, or by most of it, may be missed less; where noise is
-    /// the most of it, more rays, of which `rays_for` tells the number for a noise that much less.
-    /// They join those there are where the light they read was nearly right. Where noise and bends
-    /// do not explain what was missed, that light was wrong: rounds alone bring it down, as long as
-    /// this returns true.
+    /// What may be missed is shared out among direct light, noise and bends so that the least work
+    /// reaches it; each that missed more than its share is brought down to it. `rays_for` tells the
+    /// number of rays for a noise that much less. They join those there are where the light they
+    /// read was nearly right. Where noise and bends do not explain what was missed, that light was
+    /// wrong: rounds alone bring it down, as long as this returns true.
     template <typename RaysFor>
     bool after(const RoundErrors& errors, const RaysFor& rays_for, GatherAim& aim) {
         is_settling_ = false;
@@ -36,7 +37,7 @@ class NextAim {
     double tighten(const RoundErrors& errors, GatherAim& aim);
 
     double target_;
-    bool is_settling_ = false;
+    bool is_settling_ = false, direct_missed_ = false;
     double last_indirect_ = std::numeric_limits<double>::infinity();
 };
 
