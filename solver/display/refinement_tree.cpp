@@ -26,22 +26,6 @@ RefinementTree::RefinementTree(const PatchMesh& mesh, const FlatCorners& corners
     }
 }
 
-RefinementTree::Edge RefinementTree::edge_of(const TreeElement& element, std::size_t k) {
-    const std::uint32_t a = element.vertices[k],
-                        b = element.vertices[(k + 1) % element.corner_count()];
-    const bool crease = (element.creases >> k) & 1u;
-    return {std::min(a, b), std::max(a, b), crease ? element.patch + 1 : 0};
-}
-
-RefinementTree::Edge RefinementTree::half(const TreeElement& element, std::size_t k,
-                                          std::uint32_t end, std::uint32_t middle) const {
-    return {std::min(end, middle), std::max(end, middle), edge_of(element, k).owner};
-}
-
-std::uint32_t RefinementTree::middle(const TreeElement& element, std::size_t k) const {
-    return middles_.find(edge_of(element, k));
-}
-
 std::uint32_t RefinementTree::centre(const TreeElement& element) const {
     if (element.is_leaf() || element.is_triangle()) return none;
     return elements_[element.first_child].vertices[2];

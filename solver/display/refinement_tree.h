@@ -4,6 +4,7 @@
 #include "solver/display/flat_corners.h"
 #include "solver/mesh/patch_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -80,6 +81,22 @@ class RefinementTree {
     EdgeMiddles middles_;
     std::size_t balanced_ = 0;  // elements there were when that was last done
 };
+
+inline RefinementTree::Edge RefinementTree::edge_of(const TreeElement& element, std::size_t k) {
+    const std::uint32_t a = element.vertices[k],
+                        b = element.vertices[(k + 1) % element.corner_count()];
+    const bool crease = (element.creases >> k) & 1u;
+    return {std::min(a, b), std::max(a, b), crease ? element.patch + 1 : 0};
+}
+
+inline RefinementTree::Edge RefinementTree::half(const TreeElement& element, std::size_t k,
+                                                 std::uint32_t end, std::uint32_t middle) const {
+    return {std::min(end, middle), std::max(end, middle), edge_of(element, k).owner};
+}
+
+inline std::uint32_t RefinementTree::middle(const TreeElement& element, std::size_t k) const {
+    return middles_.find(edge_of(element, k));
+}
 
 template <typename Counts>
 bool RefinementTree::is_cut_twice(const TreeElement& element, const Counts& counts) const {

@@ -1,5 +1,7 @@
 #include "solver/rays/low_discrepancy.h"
 
+#include <algorithm>
+
 namespace patchlight {
 
 namespace {
@@ -31,11 +33,12 @@ SobolPoints::SobolPoints(std::size_t count) : count_(count) {
         directions(3, 1, {1, 3, 1})};
     for (std::size_t d = 0; d < dimensions; ++d) {
         reversed_[d].resize((count + 15) / 16 * 16);  // whole batches
-        for (std::size_t k = 0; k < reversed_[d].size(); ++k) {
-            std::uint32_t x = 0;
-            for (unsigned bit = 0; bit < 32; ++bit)
-                if ((k >> bit) & 1u) x ^= table[d][bit];
-            reversed_[d][k] = reverse_bits(x);
+        // Point k + 2^b, k < 2^b, is point k with direction b added.
+        std::vector<std::uint32_t>& points = reversed_[d];
+        for (std::size_t half = 1, bit = 0; half < points.size(); half *= 2, ++bit) {
+            const std::uint32_t direction = reverse_bits(table[d][bit]);
+            for (std::size_t k = 0; k < std::min(half, points.size() - half); ++k)
+                points[half + k] = points[k] ^ direction;
         }
     }
 }
