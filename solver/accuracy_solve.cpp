@@ -29,8 +29,9 @@ constexpr double still_settling = 0.7;  // of the error before: rounds still bri
 constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
 constexpr double first_for = 0.5;                         // samples of each lamp, times the target
 constexpr int most_first = 512;
-constexpr double doubtful = 1.4;   // times what was measured: few points count for much
-constexpr double promising = 0.9;  // of the target: worth more points
+constexpr double direct_noise = 0.25;  // of the target
+constexpr double doubtful = 1.4;       // times what was measured: few points count for much
+constexpr double promising = 0.9;      // of the target: worth more points
 constexpr int most_checks = 8;
 constexpr std::size_t vertices_per_check = 8;
 constexpr int most_rounds = 12;
@@ -157,6 +158,7 @@ void AccuracySolve::aim_closer() {
                              over_norm * checks_->indirect.at_most(1.0),
                              over_norm * light_.pass().indirect_noise(),
                              over_norm * light_.pass().indirect().expected_miss(),
+                             over_norm * light_.pass().direct_noise(),
                              light_.correction(),
                              light_.read_coarsely()};
     const auto rays_for = [&](double less) {
@@ -197,8 +199,9 @@ void AccuracySolve::run() {
     const auto observe_solve = [this](int iteration, double residual) {
         return observe(iteration, residual);
     };
-    if (prepare_transport() && light_.start(*transport_, backs_, aim_.effort,
-                                            *solution_.settings.tolerance, observe_solve)) {
+    if (prepare_transport() &&
+        light_.start(*transport_, backs_, aim_.effort, direct_noise * target_,
+                     *solution_.settings.tolerance, observe_solve)) {
         aim_.rays = light_.noise().rays_for(
             noise_share * first_target * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();

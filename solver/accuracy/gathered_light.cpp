@@ -14,6 +14,8 @@ constexpr double rounding = 1e-9;      // of what is given off, hardly a reflect
 constexpr double left_of_bends = 0.3;  // that triangles miss, beside what gathering may miss [1]
 /// Of direct light, where something shades: at first, and over the root of its aim.
 constexpr double first_elements = 4000.0, root_elements = 400.0, most_elements = 8000.0;
+constexpr double noise_decay = 0.75;  // of a penumbra, with the number of samples of a lamp
+constexpr int most_samples = 8192;
 constexpr double correction_tolerance = 0.1;  // of a correction that is itself small [1]
 }  // namespace
 
@@ -42,7 +44,7 @@ void GatheredLight::sort_exitance() {
 }
 
 bool GatheredLight::start(const CoarseTransport& transport, const std::vector<double>& backs,
-                          const DirectEffort& effort, double tolerance,
+                          DirectEffort& effort, double noise, double tolerance,
                           const CoarseTransport::Observe& observe) {
     constexpr double whatever_is_missed = 1e300;
     backs_ = backs;
@@ -50,7 +52,14 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
         exact_direct_ = to_rgb(*once);
     if (!pass_.refine_direct({whatever_is_missed, first_elements}, effort)) return false;
-    return solve_coarse(tolerance, observe);
+    if (!solve_coarse(tolerance, observe)) return false;
+    const double too_much = pass_.direct_noise() / (noise * norm());
+    if (!(too_much > 1.0) || effort.most >= most_samples) return true;
+    effort.most = static_cast<int>(
+        std::min(effort.most * std::pow(too_much, 1.0 / noise_decay), double{most_samples}));
+    pass_.restart_direct();
+    return pass_.refine_direct({whatever_is_missed, first_elements}, effort) &&
+           solve_coarse(tolerance, observe);
 }
 
 bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observe& observe) {

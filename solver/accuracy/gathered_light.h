@@ -32,9 +32,10 @@ class GatheredLight {
                   const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on);
 
     /// Direct light at the corners of patches and the coarse solution that follows. `backs`: the
-    /// share of each patch's light that lands on backs. False if the work was stopped.
+    /// share of each patch's light that lands on backs. `effort` grows until what samples of lamps
+    /// leave of noise is within `noise` of the norm. False if the work was stopped.
     bool start(const CoarseTransport& transport, const std::vector<double>& backs,
-               const DirectEffort& effort, double tolerance,
+               DirectEffort& effort, double noise, double tolerance,
                const CoarseTransport::Observe& observe);
     /// One round. False if the work was stopped: then what is displayed is as before.
     bool gather(const GatherAim& aim, double tolerance, const CoarseTransport::Observe& observe);

@@ -9,14 +9,15 @@ namespace patchlight {
 
 namespace {
 
-constexpr double planned = 0.75;     // of the target: all causes together, measured
-constexpr double a_little = 0.8;     // of what was missed, where it was within that
-constexpr double joinable = 0.10;    // of the target: a change that rays need not read
-constexpr double unexplained = 2.0;  // times noise and bends: what rays read is wrong
-constexpr double improving = 0.7;    // of the error before: rounds alone bring it down
-constexpr double smoothed = 0.85;    // of the noise, what smoothing leaves [1]
-constexpr double at_once = 0.5;      // of a cause, what one round brings it down to at most
-constexpr int most_first = 512;      // samples of each lamp
+constexpr double planned = 0.75;      // of the target: all causes together, measured
+constexpr double a_little = 0.8;      // of what was missed, where it was within that
+constexpr double joinable = 0.10;     // of the target: a change that rays need not read
+constexpr double unexplained = 2.0;   // times noise and bends: what rays read is wrong
+constexpr double improving = 0.7;     // of the error before: rounds alone bring it down
+constexpr double smoothed = 0.85;     // of the noise, what smoothing leaves [1]
+constexpr double most_sampled = 0.7;  // of what is planned, that vertices cannot bring down [1]
+constexpr double at_once = 0.5;       // of a cause, what one round brings it down to at most
+constexpr int most_first = 512;       // samples of each lamp
 
 /// The squares of direct light's errors, noise and bends that the least work leaves, of their sum:
 /// in proportion to the share of the work times the power of the error it grows with, about 0.2 x
@@ -50,10 +51,12 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
     const double noise = std::min(smoothed * errors.noise, errors.indirect),
                  bends = std::sqrt(std::max(std::pow(errors.indirect, 2) - std::pow(noise, 2),
                                             std::pow(errors.bent, 2)));
-    const std::array<double, 3> missed{errors.direct, noise, bends};
-    const double all = std::sqrt(std::pow(errors.direct, 2) + noise * noise + bends * bends);
-    const std::array<double, 3> allowed =
-        shares_of(std::min(planned * target_, a_little * all), missed);
+    const double sampled = std::min(errors.direct_noise, most_sampled * planned * target_),
+                 direct = std::sqrt(std::max(std::pow(errors.direct, 2) - sampled * sampled, 0.0));
+    const std::array<double, 3> missed{direct, noise, bends};
+    const double all = std::sqrt(direct * direct + noise * noise + bends * bends);
+    const double beside = std::sqrt(std::pow(planned * target_, 2) - sampled * sampled);
+    const std::array<double, 3> allowed = shares_of(std::min(beside, a_little * all), missed);
     const auto scale = [&](std::size_t k) {
         return missed[k] > allowed[k] ? std::max(at_once, allowed[k] / missed[k]) : 1.0;
     };

@@ -10,6 +10,7 @@ namespace patchlight {
 struct RoundErrors {
     double direct = 0.0, indirect = 0.0;  // measured at check points
     double noise = 0.0, bent = 0.0;       // of `indirect`, what rays and interpolation explain
+    double direct_noise = 0.0;            // of `direct`, what samples of lamps explain
     double correction = 0.0;              // what the round changed
     bool read_coarse = false;             // rays read a solution coarser than what they gathered
 };

@@ -55,7 +55,7 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
       near_lights_(scene, mesh, gather_.sources()),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
-    direct_.emplace(tree_.vertices().size());
+    restart_direct();
     restart_indirect();
     for (const Patch& patch : mesh.patches) {
         if (!patch.covered) area_ += patch.area;
@@ -76,6 +76,8 @@ bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
     return direct_->refine(tree_, weight_, rule,
                            [&](auto vertices) { return points_.direct(tree_, vertices, effort); });
 }
+
+void DisplayPass::restart_direct() { direct_.emplace(tree_.vertices().size()); }
 
 void DisplayPass::restart_indirect() {
     indirect_.emplace(tree_.vertices().size());

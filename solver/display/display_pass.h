@@ -31,7 +31,8 @@ class DisplayPass {
     /// Where vertices were gathered with fewer rays before, the rest is joined to them: with the
     /// same field.
     bool refine_indirect(const Aim& aim, const ReflectedField& field, int rays);
-    /// Forgets what was gathered, so that it is gathered anew.
+    /// Forget what was gathered, so that it is gathered anew.
+    void restart_direct();
     void restart_indirect();
 
     /// Cuts the tree until triangles miss no more of how the field bends between what was gathered
@@ -42,6 +43,7 @@ class DisplayPass {
     const VertexGather& points() const { return points_; }
     const IrradianceLayer& direct() const { return *direct_; }
     const IrradianceLayer& indirect() const { return *indirect_; }
+    double direct_noise() const { return direct_->noise(tree_); }      // √∫ Y² dA [W/m]
     double indirect_noise() const { return indirect_->noise(tree_); }  // √∫ Y² dA [W/m]
 
   private:
