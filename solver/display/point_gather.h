@@ -37,8 +37,8 @@ class PointGather {
         Rgb irradiance = Rgb::Zero();  // [W/m²]
         double variance = 0.0;         // of its luminance, from lamps seen in part [W²/m⁴]
     };
-    /// From the sources. The variance is that of n scrambled points in a plane cut by an edge,
-    /// about p (1 - p) / n^1.5.
+    /// From the sources. The variance is that of n scrambled points in a plane cut by a few edges,
+    /// about 2 p (1 - p) / n^1.5.
     Direct direct(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
     struct Indirect {
         Rgb irradiance = Rgb::Zero();       // [W/m²]
