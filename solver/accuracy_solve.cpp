@@ -29,7 +29,7 @@ constexpr double still_settling = 0.7;  // of the error before: rounds still bri
 constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
 constexpr double first_for = 0.5;                         // samples of each lamp, times the target
 constexpr int most_first = 512;
-constexpr double direct_noise = 0.25;  // of the target
+constexpr double direct_noise = 0.25;  // of the target, that samples of lamps leave
 constexpr double doubtful = 1.4;       // times what was measured: few points count for much
 constexpr double promising = 0.9;      // of the target: worth more points
 constexpr int most_checks = 8;
@@ -124,9 +124,8 @@ bool AccuracySolve::gather(double coarseness) {
         [this](int iteration, double residual) { return observe(iteration, residual); });
 }
 
-/// Until it is known well enough: where the target would be met but for the
-/// doubt that few points leave, or one of them counts for very much, more of
-/// them.
+/// Until it is known well enough: where the target would be met but for the doubt that few points
+/// leave, or one of them counts for very much, more of them.
 void AccuracySolve::measure() {
     CheckEffort effort;
     effort.direct = {std::max(64, 2 * aim_.effort.first), 2 * aim_.effort.most};
@@ -169,8 +168,7 @@ void AccuracySolve::aim_closer() {
     for (int round = 0; round < rounds_between && gather(coarser);) ++round;
 }
 
-/// Whether what rays read still changes, so that one more round alone brings
-/// the error down.
+/// Whether what rays read still changes, so that one more round alone brings the error down.
 bool AccuracySolve::is_settling() {
     const double before = std::exchange(last_correction_, light_.correction());
     return last_correction_ > settled * target_ && last_correction_ < still_settling * before;
@@ -218,14 +216,15 @@ void AccuracySolve::run() {
                 aim_closer();
                 gathered = gather(1.0);
             }
+            if (stopped_ != StopReason::cancelled && light_.shown() && !checks_) measure();
         }
     }
     if (stopped_ == StopReason::cancelled) solution_.status = Status::cancelled;
     finish();
 }
 
-/// Each is gathered as finely as the target asks; without anything that
-/// reflects they are all the target refers to.
+/// Each is gathered as finely as the target asks; without anything that reflects they are all the
+/// target refers to.
 void AccuracySolve::light_sensors() {
     if (stage_.scene.sensors.empty() || !light_.field()) return;
     SensorEffort effort;
