@@ -1,4 +1,5 @@
 #include "solver/accuracy/energy.h"
+#include "solver/accuracy/error_measure.h"
 #include "solver/accuracy/next_aim.h"
 #include "solver/display/sensor_light.h"
 #include "solver/display/vertex_radiosity.h"
@@ -20,8 +21,6 @@ namespace {
 
 /// Shares of the target that causes of error are planned to have. What they come to is measured.
 constexpr double direct_share = 0.12, indirect_share = 0.25, noise_share = 0.31;
-constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
-constexpr double uncorrected = 2.0;         // times a change that could not be sent on
 constexpr double coarser = 2.0;  // times the target, in rounds that tell what the last ones need
 constexpr double settled = 0.5;  // of the target: changes that need no further round
 constexpr double one_round = 0.015;     // targets from here on need no rounds before
@@ -30,10 +29,7 @@ constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in p
 constexpr double first_for = 0.5;                         // samples of each lamp, times the target
 constexpr int most_first = 512;
 constexpr double direct_noise = 0.25;  // of the target, that samples of lamps leave
-constexpr double doubtful = 1.4;       // times what was measured: few points count for much
-constexpr double promising = 0.9;      // of the target: worth more points
-constexpr int most_checks = 8;
-constexpr std::size_t vertices_per_check = 8;
+constexpr double balanced = 0.02;      // of the target, that may be missing of the energy
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 constexpr int fewest_rays = 96, most_rays = 1 << 15;  // multiples of 32
@@ -62,6 +58,7 @@ class AccuracySolve {
             stopped_ = stage_.watch.step({Stage::solve, 0.0, iteration, residual});
         return stopped_;
     }
+    EnergyAim energy_aim() const;
     bool prepare_transport();
     bool gather(double coarseness);
     void measure();
@@ -84,8 +81,21 @@ class AccuracySolve {
     GatherAim aim_;
     NextAim next_aim_;
     double last_correction_ = std::numeric_limits<double>::infinity();
-    std::optional<CheckReport> checks_;
+    std::optional<MeasuredRound> measured_;
 };
+
+/// What goes astray is counted to a fifth of the target, by chance alone at most.
+EnergyAim AccuracySolve::energy_aim() const {
+    const bool outside =
+        solution_.form_factors.open ||
+        std::any_of(backs_.begin(), backs_.end(), [](double s) { return s > 0.0; });
+    EnergyAim aim;
+    aim.balanced = balanced * target_;
+    if (outside)
+        aim.outside_rays = static_cast<std::size_t>(
+            std::clamp(std::pow(0.5 / (0.2 * target_), 2), 4096.0, 1048576.0));
+    return aim;
+}
 
 /// False if the work was stopped.
 bool AccuracySolve::prepare_transport() {
@@ -124,37 +134,17 @@ bool AccuracySolve::gather(double coarseness) {
         [this](int iteration, double residual) { return observe(iteration, residual); });
 }
 
-/// Until it is known well enough: where the target would be met but for the doubt that few points
-/// leave, or one of them counts for very much, more of them.
 void AccuracySolve::measure() {
-    CheckEffort effort;
-    effort.direct = {std::max(64, 2 * aim_.effort.first), 2 * aim_.effort.most};
-    effort.rays = std::clamp(aim_.rays / 64 * 32, 256, 4096);
-    effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
-        light_.pass().indirect().gathered() / vertices_per_check, 384, 4096));
-    const bool corrected = solution_.settings.method != Method::shooting;
-    const double coarse = (corrected ? left_by_correction : uncorrected) * light_.correction();
-    const ReflectedLight reflected = light_.reflected();
-    checks_.reset();
-    for (int times = 1; times <= most_checks; times *= 2) {
-        for (int k = times / 2; k < times; ++k) {
-            const CheckReport more =
-                light_.check(effort, seed(0x636865636b + static_cast<std::uint64_t>(k)));
-            checks_ = checks_ ? joined(*checks_, more) : more;
-        }
-        estimate_error(*checks_, reflected, coarse, 0.0, solution_.error);
-        const double without_doubt = *solution_.error.estimate;
-        estimate_error(*checks_, reflected, coarse, sure, solution_.error);
-        const bool worth_it = without_doubt < promising * target_ ||
-                              (times == 1 && *solution_.error.estimate > doubtful * without_doubt);
-        if (solution_.error.met() || !worth_it || !go_on()) break;
-    }
+    const ErrorMeasure measure{stage_.scene, solution_.mesh, light_, backs_,
+                               escaped_,     stage_.rays,    target_};
+    measured_ = measure.at(aim_, seed(0x636865636b), [this] { return go_on(); });
+    solution_.error = measured_->error;
 }
 
 void AccuracySolve::aim_closer() {
     const double over_norm = passed_on / light_.norm();
-    const RoundErrors errors{over_norm * checks_->direct.at_most(1.0),
-                             over_norm * checks_->indirect.at_most(1.0),
+    const RoundErrors errors{over_norm * measured_->checks.direct.at_most(1.0),
+                             over_norm * measured_->checks.indirect.at_most(1.0),
                              over_norm * light_.pass().indirect_noise(),
                              over_norm * light_.pass().indirect().expected_miss(),
                              over_norm * light_.pass().direct_noise(),
@@ -198,7 +188,7 @@ void AccuracySolve::run() {
         return observe(iteration, residual);
     };
     if (prepare_transport() &&
-        light_.start(*transport_, backs_, aim_.effort, direct_noise * target_,
+        light_.start(*transport_, backs_, energy_aim(), aim_.effort, direct_noise * target_,
                      *solution_.settings.tolerance, observe_solve)) {
         aim_.rays = light_.noise().rays_for(
             noise_share * first_target * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
@@ -216,7 +206,7 @@ void AccuracySolve::run() {
                 aim_closer();
                 gathered = gather(1.0);
             }
-            if (stopped_ != StopReason::cancelled && light_.shown() && !checks_) measure();
+            if (stopped_ != StopReason::cancelled && light_.shown() && !measured_) measure();
         }
     }
     if (stopped_ == StopReason::cancelled) solution_.status = Status::cancelled;
@@ -277,6 +267,7 @@ void AccuracySolve::finish() {
                 solution_.irradiance[i] = light_.direct_means()[i] + coarse->irradiance()[i];
         }
         account();
+        if (light_.shown()) solution_.energy = light_.energy();
     }
     solution_.display = light_.shown()
                             ? light_.shown()->display

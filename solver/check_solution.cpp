@@ -1,5 +1,5 @@
 #include "solver/accuracy/check_points.h"
-#include "solver/accuracy/error_estimate.h"
+#include "solver/accuracy/judge.h"
 #include "solver/display/vertex_irradiance.h"
 #include "solver/solve_stage.h"
 #include "solver/transport/patch_fields.h"
@@ -61,7 +61,12 @@ void check_solution(const SolveStage& stage, const MeshLines& lines) {
                                                    once_arriving(solution.mesh, points, seed));
     if (!(light.norm > 0.0)) return;  // nothing is sent back, so nothing can be wrong
     const CheckReport checks = check_display(scene, shown, points, field, CheckEffort{}, seed);
-    estimate_error(checks, light, 0.0, sure, solution.error);
+    Evidence evidence;
+    evidence.algebraic_bound = solution.error.algebraic_bound;
+    evidence.checks = &checks;
+    evidence.light = light;
+    evidence.energy = solution.energy;
+    solution.error = judge(evidence);
 }
 
 }  // namespace patchlight

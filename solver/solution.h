@@ -27,13 +27,27 @@ struct EnergyReport {
     Rgb absorbed = Rgb::Zero();  // by fronts
     Rgb backs = Rgb::Zero();     // by backs of one-sided surfaces
     Rgb escaped = Rgb::Zero();
-    double defect = 0.0;  // largest |emitted - absorbed - backs - escaped| / emitted [1]
+    double defect = 0.0;          // largest |emitted - absorbed - backs - escaped| / emitted [1]
+    double standard_error = 0.0;  // of the defect: rays tell what escapes or meets backs [1]
+    Rgb missing() const { return emitted - absorbed - backs - escaped; }
+};
+
+/// The displayed field against the flux of particles that start at lamps and bounce by themselves.
+/// Errors as those of `ErrorReport` [1].
+struct TransportCheck {
+    double proven = 0.0;          // beyond two standard errors in each region: a lower bound
+    double difference = 0.0;      // √ of the mean square that is no noise
+    double standard_error = 0.0;  // of `difference`
+    double doubt = 0.0;           // what lamps may light that no particle showed
+    std::uint64_t particles = 0;
+    std::uint64_t rays = 0;
 };
 
 /// Errors of the displayed field, √∫ Y² dA over √∫ Y(B − E)² dA [1].
 struct ErrorReport {
-    std::optional<double> target;           // accuracy asked for
-    std::optional<double> estimate;         // algebraic_bound + √(form_factors² + mesh²)
+    std::optional<double> target;    // accuracy asked for
+    std::optional<double> estimate;  // algebraic_bound + √(form_factors² + mesh²), and no less
+                                     // than what particles and the energy prove
     std::optional<double> algebraic_bound;  // rigorous, against the stored matrix
     std::optional<double> form_factors;     // estimated: of the light between patches
     std::optional<double> mesh;  // estimated: of gathering at vertices and linear interpolation
@@ -42,7 +56,10 @@ struct ErrorReport {
         double estimate = 0.0;  // relative to the light the object itself sends back
     };
     std::optional<Worst> worst;
-    bool met() const { return target && estimate && *estimate <= *target; }
+    std::vector<std::optional<double>> of_object;  // relative to its own light; absent: unknown
+    std::optional<TransportCheck> transport;
+    double unbalanced = 0.0;  // the energy's defect less two standard errors [1]
+    bool met() const { return target && estimate && *estimate <= *target && unbalanced <= *target; }
 };
 
 /// Defects of a matrix: closure is row_sum + backs + escaped = 1, reciprocity A_i F_ij = A_j F_ji.

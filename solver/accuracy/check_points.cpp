@@ -116,21 +116,30 @@ struct Checker {
                           CheckReport& report) const {
         std::vector<double> products(n), means(n);
         std::vector<ObjectIndex> objects(n);
+        std::vector<PatchIndex> patches(n);
+        std::vector<Rgb> missing(n);
         tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
             const CheckPoint checked = point(k, n);
             const Rgb value = shown_at(checked, values);
             std::array<double, 2> miss{};
-            for (std::uint64_t half = 0; half < 2; ++half)
-                miss[half] = luminance(checked.reflectance *
-                                       (value - anew(checked.place, key(k, 3 + half))));
+            missing[k] = Rgb::Zero();
+            for (std::uint64_t half = 0; half < 2; ++half) {
+                const Rgb beyond = value - anew(checked.place, key(k, 3 + half));
+                miss[half] = luminance(checked.reflectance * beyond);
+                missing[k] -= 0.5 * beyond / checked.density;
+            }
             products[k] = miss[0] * miss[1] / checked.density;
             means[k] = 0.5 * (miss[0] + miss[1]) / checked.density;
             objects[k] = checked.object;
+            patches[k] = shown.display.patch[checked.triangle];
         });
+        const double all = static_cast<double>(n);
         for (std::size_t k = 0; k < n; ++k) {
             CheckReport::OfObject& object = report.of_object[objects[k]];
-            object.square += products[k] / static_cast<double>(n);
+            object.square += products[k] / all;
+            object.variance += products[k] * products[k] / (all * all);
             ++object.points;
+            report.missing[k % 2][patches[k]] += 2.0 * missing[k] / all;
         }
         MeasuredError error = measure(products);
         for (const double mean : means) error.mean += mean / static_cast<double>(n);
@@ -159,14 +168,21 @@ MeasuredError joined(const MeasuredError& a, const MeasuredError& b) {
 }  // namespace
 
 CheckReport joined(const CheckReport& a, const CheckReport& b) {
-    CheckReport both{joined(a.direct, b.direct), joined(a.indirect, b.indirect), a.of_object};
+    CheckReport both{joined(a.direct, b.direct), joined(a.indirect, b.indirect), a.of_object, {}};
     // An object's part is a sum over direct and indirect points, taken as alike in share.
     const int points = a.indirect.points + b.indirect.points;
     const double share = points > 0 ? static_cast<double>(a.indirect.points) / points : 1.0;
     for (std::size_t o = 0; o < both.of_object.size(); ++o) {
         CheckReport::OfObject& object = both.of_object[o];
         object.square = share * object.square + (1.0 - share) * b.of_object[o].square;
+        object.variance = share * share * object.variance +
+                          (1.0 - share) * (1.0 - share) * b.of_object[o].variance;
         object.points += b.of_object[o].points;
+    }
+    for (std::size_t half = 0; half < 2; ++half) {
+        both.missing[half] = a.missing[half];
+        for (std::size_t i = 0; i < both.missing[half].size(); ++i)
+            both.missing[half][i] = share * a.missing[half][i] + (1.0 - share) * b.missing[half][i];
     }
     return both;
 }
@@ -180,7 +196,9 @@ CheckReport check_display(const Scene& scene, const TreeDisplay& shown, const Ve
                           const ReflectedField& field, const CheckEffort& effort,
                           std::uint64_t seed) {
     CheckReport report;
+    const std::size_t patches = gather.patches();
     report.of_object.resize(scene.objects.size());
+    for (std::vector<Rgb>& missing : report.missing) missing.assign(patches, Rgb::Zero());
     if (shown.display.triangles.empty()) return report;
     const Checker checker{scene, shown, gather, seed, make_pick(shown)};
     const auto direct = [&](const GatherPoint& point, std::uint64_t key) {

@@ -20,10 +20,14 @@ struct MeasuredError {
 struct CheckReport {
     MeasuredError direct, indirect;
     struct OfObject {
-        double square = 0.0;  // of both [W²/m²]
+        double square = 0.0;    // of both [W²/m²]
+        double variance = 0.0;  // of `square`
         int points = 0;
     };
     std::vector<OfObject> of_object;
+    /// Irradiance that is missing, ∫ dA over each patch, as every other point tells it: two
+    /// estimates that know nothing of each other [W].
+    std::array<std::vector<Rgb>, 2> missing;
     double mean() const { return direct.mean + indirect.mean; }
     /// Both together: their causes are independent [W/m].
     double at_most(double standard_errors) const;

@@ -69,4 +69,13 @@ CoarseSolution::Correction CoarseSolution::correct(const std::vector<Rgb>& chang
     return correction;
 }
 
+std::optional<std::vector<Rgb>> CoarseSolution::gone_round(const std::vector<Rgb>& missing,
+                                                           double tolerance) const {
+    std::vector<Rgb> source(missing.size(), Rgb::Zero());
+    for (std::size_t i = 0; i < missing.size(); ++i)
+        if (area_[i] > 0.0) source[i] = reflectance_[i] * missing[i] / area_[i];
+    if (!transport_.has_matrix()) return std::nullopt;
+    return to_rgb(transport_.solve(to_field(source), tolerance, {}).radiosity);
+}
+
 }  // namespace patchlight

@@ -35,6 +35,13 @@ class CoarseSolution {
     };
     Correction correct(const std::vector<Rgb>& change, double tolerance) const;
 
+    /// Whether there is a matrix to send light on with.
+    bool goes_round() const { return transport_.has_matrix(); }
+    /// What light that is missing on patches, ∫ dA of its irradiance on each [W], comes to once it
+    /// has gone round: (I - ρF)^-1 ρ e per patch [W/m²]. None without a matrix.
+    std::optional<std::vector<Rgb>> gone_round(const std::vector<Rgb>& missing,
+                                               double tolerance) const;
+
     /// The channels in use of values per patch.
     Field to_field(const std::vector<Rgb>& values) const;
 

@@ -26,7 +26,9 @@ class CoarseTransport {
   public:
     using Observe = std::function<StopReason(int iteration, double residual)>;
     virtual ~CoarseTransport() = default;
-    /// `exitance` for each channel in use; may be negative where `can_correct`.
+    /// Whether there is a matrix: then `exitance` may be negative, and solving takes little time.
+    virtual bool has_matrix() const = 0;
+    /// `exitance` for each channel in use.
     virtual Transported solve(const Field& exitance, double tolerance,
                               const Observe& observe) const = 0;
     /// F B alone, if there is a matrix.
@@ -38,6 +40,7 @@ class MatrixTransport final : public CoarseTransport {
     MatrixTransport(const ExchangeMatrix& exchange, std::vector<double> area, Field reflectance);
     Transported solve(const Field& exitance, double tolerance,
                       const Observe& observe) const override;
+    bool has_matrix() const override { return true; }
     std::optional<Field> once(const Field& radiosity) const override;
 
   private:
@@ -51,6 +54,7 @@ class ShotTransport final : public CoarseTransport {
     ShotTransport(const FormFactorEngine& engine, std::vector<double> area, Field reflectance);
     Transported solve(const Field& exitance, double tolerance,
                       const Observe& observe) const override;
+    bool has_matrix() const override { return false; }
     std::optional<Field> once(const Field&) const override { return std::nullopt; }
     const RowSource& rows() const { return rows_; }
 

@@ -24,16 +24,18 @@ std::array<double, 3> weights(const std::array<Vec2, 3>& corners, const Vec2& p)
 
 }  // namespace
 
-DisplayedField::DisplayedField(const Scene& scene, const Solution& solution)
-    : surfaces_(scene.surfaces.size()), radiosity_(solution.display.radiosity) {
+DisplayedField::DisplayedField(const Scene& scene, const PatchMesh& mesh,
+                               const DisplayMesh& display)
+    : surfaces_(scene.surfaces.size()),
+      radiosity_(display.radiosity),
+      vertices_(display.triangles) {
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
         surfaces_[s].frame = frame_of(scene.surfaces[s].corners[0], scene.surfaces[s].normal);
-    const DisplayMesh& display = solution.display;
     for (std::size_t t = 0; t < display.triangles.size(); ++t) {
-        Sheet& sheet = surfaces_[solution.mesh.patches[display.patch[t]].surface];
-        Triangle triangle{{}, display.triangles[t]};
+        Sheet& sheet = surfaces_[mesh.patches[display.patch[t]].surface];
+        Triangle triangle{static_cast<std::uint32_t>(t), {}};
         for (std::size_t k = 0; k < 3; ++k)
-            triangle.corners[k] = sheet.frame.flat(display.positions[triangle.vertices[k]]);
+            triangle.corners[k] = sheet.frame.flat(display.positions[display.triangles[t][k]]);
         sheet.triangles.push_back(triangle);
     }
     for (Sheet& sheet : surfaces_)
@@ -95,9 +97,10 @@ DisplayedField::Found DisplayedField::find(const Sheet& sheet, const Vec2& point
     return best;
 }
 
-Rgb DisplayedField::radiosity(SurfaceIndex s, const Vec3& position) const {
+std::optional<DisplayedField::Place> DisplayedField::locate(SurfaceIndex s,
+                                                            const Vec3& position) const {
     const Sheet& sheet = surfaces_[s];
-    if (sheet.nodes.empty()) return Rgb::Zero();
+    if (sheet.nodes.empty()) return std::nullopt;
     const Vec2 point = sheet.frame.flat(position);
     const double size = size_of(sheet.nodes[0].low, sheet.nodes[0].high);
     Found found;
@@ -106,9 +109,15 @@ Rgb DisplayedField::radiosity(SurfaceIndex s, const Vec3& position) const {
     if (!found.triangle) found = find(sheet, point, std::numeric_limits<double>::infinity());
     double sum = 0.0;
     for (double& weight : found.weight) sum += weight = std::max(0.0, weight);
+    for (double& weight : found.weight) weight /= sum;
+    return Place{found.triangle->number, found.weight};
+}
+
+Rgb DisplayedField::radiosity(SurfaceIndex s, const Vec3& position) const {
+    const std::optional<Place> place = locate(s, position);
     Rgb value = Rgb::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-        value += found.weight[k] / sum * radiosity_[found.triangle->vertices[k]];
+    for (std::size_t k = 0; place && k < 3; ++k)
+        value += place->weight[k] * radiosity_[vertices_[place->triangle][k]];
     return value;
 }
 

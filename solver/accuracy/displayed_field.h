@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace patchlight {
@@ -14,7 +15,9 @@ namespace patchlight {
 /// solution may go.
 class DisplayedField {
   public:
-    DisplayedField(const Scene& scene, const Solution& solution);
+    DisplayedField(const Scene& scene, const PatchMesh& mesh, const DisplayMesh& display);
+    DisplayedField(const Scene& scene, const Solution& solution)
+        : DisplayedField(scene, solution.mesh, solution.display) {}
 
     /// Whether anything is displayed of a surface; nothing is where others cover all of it.
     bool shows(SurfaceIndex s) const { return !surfaces_[s].nodes.empty(); }
@@ -24,10 +27,17 @@ class DisplayedField {
     /// is at its border. Zero where nothing is displayed [W/m²].
     Rgb radiosity(SurfaceIndex s, const Vec3& position) const;
 
+    struct Place {
+        std::uint32_t triangle = 0;      // of the display
+        std::array<double, 3> weight{};  // of its corners, none below 0, sum 1
+    };
+    /// The triangle that is shown there, by the same rule; none where nothing is displayed.
+    std::optional<Place> locate(SurfaceIndex s, const Vec3& position) const;
+
   private:
     struct Triangle {
-        std::array<Vec2, 3> corners;            // in the surface's plane [m]
-        std::array<std::uint32_t, 3> vertices;  // into radiosity_
+        std::uint32_t number = 0;     // in the display
+        std::array<Vec2, 3> corners;  // in the surface's plane [m]
     };
     struct Node {
         Vec2 low, high;           // box round the triangles [m]
@@ -50,7 +60,8 @@ class DisplayedField {
     static Found find(const Sheet& sheet, const Vec2& point, double slack);
 
     std::vector<Sheet> surfaces_;
-    std::vector<Rgb> radiosity_;  // at each vertex [W/m²]
+    std::vector<Rgb> radiosity_;                          // at each vertex [W/m²]
+    std::vector<std::array<std::uint32_t, 3>> vertices_;  // of each triangle
 };
 
 }  // namespace patchlight

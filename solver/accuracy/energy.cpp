@@ -1,6 +1,7 @@
 #include "solver/accuracy/energy.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace patchlight {
@@ -12,11 +13,12 @@ EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh, const Rgb
     energy.escaped = escaped;
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         const Patch& patch = mesh.patches[i];
+        if (patch.covered) continue;
         const Material& material = scene.materials[scene.surfaces[patch.surface].material];
         energy.emitted += patch.area * material.exitance;
         energy.absorbed += patch.area * (1.0 - material.reflectance) * irradiance[i];
     }
-    const Rgb lost = (energy.emitted - energy.absorbed - energy.backs - energy.escaped).abs();
+    const Rgb lost = energy.missing().abs();
     for (int c = 0; c < 3; ++c)
         if (energy.emitted[c] > 0.0)
             energy.defect = std::max(energy.defect, lost[c] / energy.emitted[c]);
@@ -32,6 +34,41 @@ EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
         escaped += mesh.patches[i].area * exchange.escaped[i] * radiosity[i];
     }
     return measure_energy(scene, mesh, backs, escaped, irradiance);
+}
+
+EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh, const OutsideFlux& outside,
+                            const std::vector<Rgb>& irradiance) {
+    EnergyReport energy = measure_energy(scene, mesh, outside.backs, outside.escaped, irradiance);
+    for (int c = 0; c < 3; ++c)
+        if (energy.emitted[c] > 0.0)
+            energy.standard_error =
+                std::max(energy.standard_error, outside.standard_error[c] / energy.emitted[c]);
+    return energy;
+}
+
+double error_proven_by_energy(const Scene& scene, const PatchMesh& mesh, const EnergyReport& energy,
+                              const std::vector<Rgb>& irradiance, const std::vector<double>& backs,
+                              const std::vector<double>& escaped) {
+    constexpr double sure = 2.0;  // standard errors
+    Rgb taken = Rgb::Zero(), norm = Rgb::Zero(), darkest = Rgb::Ones();
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        const Patch& patch = mesh.patches[i];
+        if (patch.covered) continue;
+        const Rgb& reflectance =
+            scene.materials[scene.surfaces[patch.surface].material].reflectance;
+        darkest = darkest.min(reflectance);
+        const Rgb share = (1.0 - reflectance) / reflectance.max(1e-300) + backs[i] + escaped[i];
+        taken += patch.area * share * share;
+        norm += patch.area * (reflectance * irradiance[i]).square();
+    }
+    double proven = 0.0;
+    for (int c = 0; c < 3; ++c) {
+        if (!(darkest[c] > 0.0) || !(norm[c] > 0.0) || !(energy.emitted[c] > 0.0)) continue;
+        const double lost =
+            std::abs(energy.missing()[c]) - sure * energy.standard_error * energy.emitted[c];
+        proven = std::max(proven, lost / std::sqrt(taken[c] * norm[c]));
+    }
+    return proven;
 }
 
 std::vector<ObjectReport> measure_objects(const Scene& scene, const Solution& solution) {

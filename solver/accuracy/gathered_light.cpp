@@ -44,10 +44,11 @@ void GatheredLight::sort_exitance() {
 }
 
 bool GatheredLight::start(const CoarseTransport& transport, const std::vector<double>& backs,
-                          DirectEffort& effort, double noise, double tolerance,
-                          const CoarseTransport::Observe& observe) {
+                          const EnergyAim& energy, DirectEffort& effort, double noise,
+                          double tolerance, const CoarseTransport::Observe& observe) {
     constexpr double whatever_is_missed = 1e300;
     backs_ = backs;
+    energy_aim_ = energy;
     coarse_.emplace(scene_, mesh_, transport, other_exitance_);
     if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
         exact_direct_ = to_rgb(*once);
@@ -174,13 +175,15 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
                      read_means_[i];
     correction_ = coarse_->correct(change, correction_tolerance);
     shown_ = pass_.show(correction_.irradiance);
+    balance(tolerance);
     field_ = make_field(table_of(*shown_));
     direct_shown_ = pass_.direct().gathered();
     direct_means_ = gathered.direct;
     const SplitIrradiance corrected = patch_means(*shown_, mesh_.size());
     for (std::size_t i = 0; i < change.size(); ++i) {
-        irradiance_[i] = direct_means_[i] + corrected.indirect[i];
-        field_means_[i] = other_exitance_[i] + coarse_->reflectance()[i] * irradiance_[i];
+        irradiance_[i] = corrected.direct[i] + corrected.indirect[i];
+        field_means_[i] = other_exitance_[i] +
+                          coarse_->reflectance()[i] * (direct_means_[i] + corrected.indirect[i]);
     }
     return true;
 }

@@ -2,8 +2,8 @@
 
 #include "solver/accuracy/check_points.h"
 #include "solver/accuracy/coarse_solution.h"
-#include "solver/accuracy/error_estimate.h"
 #include "solver/accuracy/gather_noise.h"
+#include "solver/accuracy/judge.h"
 #include "solver/display/display_pass.h"
 
 #include <memory>
@@ -24,6 +24,12 @@ struct GatherAim {
     Indirect gathered = Indirect::anew;
 };
 
+/// How well the light that is displayed is accounted for.
+struct EnergyAim {
+    std::size_t outside_rays = 4096;  // count what meets backs or leaves the scene
+    double balanced = 1e-4;  // of the light given off: what is missing is not worth a correction
+};
+
 /// The light of a scene as it is displayed, and the coarse solution behind it. Each round gathers
 /// from what a round before displayed, and sends on with the coarse transport what that changed.
 class GatheredLight {
@@ -32,10 +38,10 @@ class GatheredLight {
                   const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on);
 
     /// Direct light at the corners of patches and the coarse solution that follows. `backs`: the
-    /// share of each patch's light that lands on backs. `effort` grows until what samples of lamps
+    /// share of each patch's light that lands on backs.  `effort` grows until what samples of lamps
     /// leave of noise is within `noise` of the norm. False if the work was stopped.
     bool start(const CoarseTransport& transport, const std::vector<double>& backs,
-               DirectEffort& effort, double noise, double tolerance,
+               const EnergyAim& energy, DirectEffort& effort, double noise, double tolerance,
                const CoarseTransport::Observe& observe);
     /// One round. False if the work was stopped: then what is displayed is as before.
     bool gather(const GatherAim& aim, double tolerance, const CoarseTransport::Observe& observe);
@@ -49,6 +55,10 @@ class GatheredLight {
     /// Whether rays of the last round read the coarse solution, not what was displayed.
     bool read_coarsely() const { return read_coarsely_; }
     double correction() const { return correction_.size; }  // of the last round, over `norm` [1]
+
+    /// Where the light that is displayed goes; what is missing of it was corrected as far as it is
+    /// sure.
+    const EnergyReport& energy() const { return energy_; }
 
     const TreeDisplay* shown() const { return shown_ ? &*shown_ : nullptr; }
     const std::vector<Rgb>& irradiance() const { return irradiance_; }  // means of patches [W/m²]
@@ -68,6 +78,8 @@ class GatheredLight {
     std::shared_ptr<const ReflectedField> make_field(FieldTable table) const;
     void read_coarse();
     void read_newest();
+    void balance(double tolerance);
+    std::vector<Rgb> evened_out(const std::vector<Rgb>& irradiance, double tolerance) const;
 
     const Scene& scene_;
     const PatchMesh& mesh_;
@@ -85,6 +97,8 @@ class GatheredLight {
     std::vector<Rgb> exact_direct_;  // the same by the matrix; right where nothing can shade
     std::vector<Rgb> irradiance_;
     CoarseSolution::Correction correction_;
+    EnergyReport energy_;
+    EnergyAim energy_aim_;
     std::optional<TreeDisplay> shown_;
     bool read_coarsely_ = false;
     std::size_t direct_shown_ = 0;  // vertices where direct light was gathered, when it was shown

@@ -43,6 +43,14 @@ RayFrame frame_about(const RayPoint& normal) {
     return {frame.u.cast<float>(), frame.v.cast<float>(), frame.normal.cast<float>()};
 }
 
+RayPoint cosine_direction(const RayFrame& frame, float u, float v) {
+    const float turn = v - 0.5f, a = std::abs(turn), folded = a > 0.25f ? 0.5f - a : a;
+    const float radius = std::sqrt(u);
+    return radius * sine_of_turn(0.25f - a) * frame.tangent +
+           radius * sine_of_turn(turn < 0.0f ? -folded : folded) * frame.bitangent +
+           std::sqrt(std::max(1e-12f, 1.0f - u)) * frame.normal;
+}
+
 PATCHLIGHT_WIDE void cosine_directions(const RayFrame& frame, const Lanes& u, const Lanes& v,
                                        RayBatch& batch) {
     for (std::size_t k = 0; k < ray_batch; ++k) {

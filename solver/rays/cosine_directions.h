@@ -23,6 +23,9 @@ struct RayFrame {
 };
 RayFrame frame_about(const RayPoint& normal);
 
+/// One direction about the normal with density cosine / π, from two numbers in [0, 1).
+RayPoint cosine_direction(const RayFrame& frame, float u, float v);
+
 /// Directions about the normal with density cosine / π: radius √u on the disk, angle 2πv, lifted.
 void cosine_directions(const RayFrame& frame, const Lanes& u, const Lanes& v, RayBatch& batch);
 

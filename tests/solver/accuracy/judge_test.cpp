@@ -1,4 +1,4 @@
-#include "solver/accuracy/error_estimate.h"
+#include "solver/accuracy/judge.h"
 
 #include "tests/solver/scenes.h"
 

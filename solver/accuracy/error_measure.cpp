@@ -1,0 +1,129 @@
+#include "solver/accuracy/error_measure.h"
+
+#include "solver/accuracy/energy.h"
+#include "solver/rays/low_discrepancy.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double left_by_correction = 0.3;  // of the correction's size, that is still wrong
+constexpr double uncorrected = 2.0;         // times a change that could not be sent on
+constexpr double doubtful = 1.4;            // times what was measured: few points count for much
+constexpr double promising = 0.9;           // of the target: worth more points
+constexpr int most_checks = 8;
+constexpr double share_of_rays = 0.25;  // of those gathered with, particles may take
+constexpr std::size_t vertices_per_check = 8;
+constexpr double propagation_tolerance = 0.01;  // of what a residual comes to
+
+/// Shifts what is missing on patches, in proportion to the light there is, so that it sums to what
+/// the energy says is missing, as far as that is the surer number of the two.
+void heed_energy(const EnergyReport& energy, const std::vector<Rgb>& weight, const Rgb& variance,
+                 std::vector<Rgb>& missing) {
+    Rgb sum = Rgb::Zero(), whole = Rgb::Zero();
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+        sum += missing[i];
+        whole += weight[i];
+    }
+    const Rgb noise = (energy.standard_error * energy.emitted).square();
+    const Rgb share =
+        (energy.missing() - sum) * variance / (variance + noise).max(1e-300) / whole.max(1e-300);
+    for (std::size_t i = 0; i < missing.size(); ++i) missing[i] += share * weight[i];
+}
+
+}  // namespace
+
+/// The residual's part that is alike over patches, sent round with the coarse transport. Two
+/// estimates of it: their product has no share of their noise, half their difference is it.
+std::optional<double> ErrorMeasure::propagated(const CheckReport& checks, double norm) const {
+    if (!light.coarse()->goes_round()) return std::nullopt;
+    std::vector<Rgb> weight(mesh.size());
+    Rgb difference = Rgb::Zero();
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+        weight[i] = mesh.patches[i].area * light.irradiance()[i];
+        difference += checks.missing[0][i] - checks.missing[1][i];
+    }
+    std::array<std::vector<Rgb>, 2> error;
+    for (std::size_t half = 0; half < 2; ++half) {
+        std::vector<Rgb> missing = checks.missing[half];
+        heed_energy(light.energy(), weight, 0.5 * difference.square(), missing);
+        const std::vector<Rgb> once = missing;
+        error[half] = *light.coarse()->gone_round(missing, propagation_tolerance);
+        for (std::size_t i = 0; i < once.size(); ++i)  // what is missing itself is the residual
+            if (mesh.patches[i].area > 0.0)
+                error[half][i] -= light.coarse()->reflectance()[i] * once[i] / mesh.patches[i].area;
+    }
+    double product = 0.0, noise = 0.0;
+    for (std::size_t i = 0; i < mesh.size(); ++i) {
+        const double a = luminance(error[0][i]), b = luminance(error[1][i]);
+        product += mesh.patches[i].area * a * b;
+        noise += mesh.patches[i].area * 0.25 * (a - b) * (a - b);
+    }
+    return std::sqrt(std::max(0.0, product) + noise) / norm;
+}
+
+Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight& reflected) const {
+    Evidence evidence;
+    evidence.target = target;
+    evidence.algebraic_bound = light.coarse()->transported().algebraic_bound;
+    evidence.checks = &checks;
+    evidence.light = reflected;
+    evidence.coarse =
+        (light.coarse()->goes_round() ? left_by_correction : uncorrected) * light.correction();
+    evidence.propagated = propagated(checks, reflected.norm);
+    evidence.energy = light.energy();
+    evidence.proven_by_energy =
+        error_proven_by_energy(scene, mesh, light.energy(), light.irradiance(), backs, escaped);
+    return evidence;
+}
+
+MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed,
+                               const std::function<bool()>& go_on) const {
+    CheckEffort effort;
+    effort.direct = {std::max(64, 2 * aim.effort.first), 2 * aim.effort.most};
+    effort.rays = std::clamp(aim.rays / 64 * 32, 256, 4096);
+    effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
+        light.pass().indirect().gathered() / vertices_per_check, 384, 4096));
+    const ReflectedLight reflected = light.reflected();
+    MeasuredRound round;
+    for (int times = 1; times <= most_checks; times *= 2) {
+        for (int k = times / 2; k < times; ++k) {
+            CheckReport more = light.check(effort, mix(seed, static_cast<std::uint64_t>(k)));
+            round.checks = k > 0 ? joined(round.checks, more) : std::move(more);
+        }
+        const Evidence all = evidence(round.checks, reflected);
+        round.error = judge(all);
+        if (!round.error.estimate) break;
+        const double without_doubt = *judge(all, 0.0).estimate;
+        const bool worth_it = without_doubt < promising * target ||
+                              (times == 1 && *round.error.estimate > doubtful * without_doubt);
+        if (round.error.met() || !worth_it || !go_on()) break;
+    }
+    if (round.error.estimate) check_from_lamps(aim, reflected, mix(seed, 0x6c616d70), round);
+    return round;
+}
+
+/// Where check points find nothing wrong, or nothing else will be measured.
+void ErrorMeasure::check_from_lamps(const GatherAim& aim, const ReflectedLight& reflected,
+                                    std::uint64_t seed, MeasuredRound& round) const {
+    const double gathered =
+        static_cast<double>(light.pass().indirect().gathered()) * aim.rays +
+        static_cast<double>(light.pass().direct().gathered()) * aim.effort.first;
+    ParticleEffort effort;
+    effort.target = target;
+    effort.rays = static_cast<std::uint64_t>(share_of_rays * gathered);
+    effort.norm = reflected.norm;
+    effort.area = reflected.area;
+    ParticleEvidence found =
+        check_transport(scene, mesh, rays, light.pass().points().gather().apertures(),
+                        *light.shown(), effort, seed);
+    Evidence all = evidence(round.checks, reflected);
+    all.transport = found.check;
+    round.error = judge(all);
+    round.regions = std::move(found.regions);
+}
+
+}  // namespace patchlight

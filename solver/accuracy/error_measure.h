@@ -1,0 +1,39 @@
+#pragma once
+
+#include "solver/accuracy/gathered_light.h"
+#include "solver/accuracy/judge.h"
+#include "solver/particles/transport_check.h"
+
+#include <functional>
+
+namespace patchlight {
+
+/// How wrong a round of gathering is: everything that is measured, and what the judge makes of it.
+struct MeasuredRound {
+    CheckReport checks;
+    ErrorReport error;
+    std::vector<FluxRegion> regions;  // that particles were compared in; empty: none were sent
+};
+
+/// Measures rounds of gathering to a target.
+struct ErrorMeasure {
+    const Scene& scene;
+    const PatchMesh& mesh;
+    const GatheredLight& light;
+    const std::vector<double>&backs, &escaped;  // shares of each patch's light [1]
+    const RayScene& rays;
+    double target = 0.0;  // [1]
+
+    /// Until it is known well enough: where the target would be met but for the doubt that few
+    /// points leave, or one of them counts for very much, more of them.
+    MeasuredRound at(const GatherAim& aim, std::uint64_t seed,
+                     const std::function<bool()>& go_on) const;
+
+  private:
+    Evidence evidence(const CheckReport& checks, const ReflectedLight& reflected) const;
+    void check_from_lamps(const GatherAim& aim, const ReflectedLight& reflected, std::uint64_t seed,
+                          MeasuredRound& round) const;
+    std::optional<double> propagated(const CheckReport& checks, double norm) const;
+};
+
+}  // namespace patchlight

@@ -1,0 +1,87 @@
+#include "solver/accuracy/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace patchlight {
+
+namespace {
+
+constexpr int fewest_points = 12;  // on an object that is judged by itself
+
+}  // namespace
+
+ReflectedLight measure_reflected(const Scene& scene, const PatchMesh& mesh,
+                                 const std::vector<Rgb>& reflected, const std::vector<Rgb>& once) {
+    ReflectedLight light;
+    light.norm_of_object.assign(scene.objects.size(), 0.0);
+    double all = 0.0, at_once = 0.0;
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        const Patch& patch = mesh.patches[i];
+        if (patch.covered) continue;
+        const Surface& surface = scene.surfaces[patch.surface];
+        const double y = luminance(reflected[i]);
+        light.area += patch.area;
+        light.norm_of_object[surface.object] += patch.area * y * y;
+        all += patch.area * y;
+        at_once += patch.area * luminance(scene.materials[surface.material].reflectance * once[i]);
+    }
+    for (double& norm : light.norm_of_object) {
+        light.norm += norm;
+        norm = std::sqrt(norm);
+    }
+    light.norm = std::sqrt(light.norm);
+    if (at_once > 0.0) light.bounces = std::max(1.0, all / at_once);
+    return light;
+}
+
+namespace {
+
+void judge_objects(const Evidence& evidence, ErrorReport& error) {
+    const CheckReport& checks = *evidence.checks;
+    error.of_object.resize(checks.of_object.size());
+    for (ObjectIndex o = 0; o < checks.of_object.size(); ++o) {
+        const auto& object = checks.of_object[o];
+        const double norm = evidence.light.norm_of_object[o];
+        if (object.points < fewest_points || !(norm > 0.0)) continue;
+        const double estimate =
+            passed_on * std::sqrt(std::max(0.0, object.square + std::sqrt(object.variance))) / norm;
+        error.of_object[o] = estimate;
+        if (!error.worst || estimate > error.worst->estimate) error.worst = {o, estimate};
+    }
+}
+
+/// What particles say beyond what is expected: with doubt, where they contradict it.
+double said_by_particles(const TransportCheck& check, double expected) {
+    const double certain = std::max(0.0, check.difference - sure * check.standard_error);
+    const double whole = certain > expected ? check.difference + check.standard_error : 0.0;
+    return std::hypot(std::max(check.proven, whole), check.doubt);
+}
+
+}  // namespace
+
+ErrorReport judge(const Evidence& evidence, double standard_errors) {
+    ErrorReport error;
+    error.target = evidence.target;
+    error.algebraic_bound = evidence.algebraic_bound;
+    error.transport = evidence.transport;
+    error.unbalanced =
+        std::max(0.0, evidence.energy.defect - sure * evidence.energy.standard_error);
+    const ReflectedLight& light = evidence.light;
+    if (!evidence.checks || !(light.norm > 0.0)) return error;
+    const CheckReport& checks = *evidence.checks;
+    const double alike = std::abs(checks.mean()) / std::sqrt(light.area) / light.norm;
+    const double round_and_round = evidence.propagated.value_or((light.bounces - 1.0) * alike);
+    error.mesh = passed_on * checks.at_most(standard_errors) / light.norm;
+    error.form_factors = std::hypot(evidence.coarse, round_and_round);
+    const double measured =
+        evidence.algebraic_bound.value_or(0.0) + std::hypot(*error.form_factors, *error.mesh);
+    error.estimate = std::max(measured, evidence.proven_by_energy);
+    if (evidence.transport)
+        error.estimate =
+            std::max(*error.estimate, said_by_particles(*evidence.transport, measured));
+    judge_objects(evidence, error);
+    return error;
+}
+
+}  // namespace patchlight
