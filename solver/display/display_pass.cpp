@@ -1,5 +1,6 @@
 #include "solver/display/display_pass.h"
 
+#include "solver/apertures/find_apertures.h"
 #include "solver/display/curved_mean.h"
 
 #include <algorithm>
@@ -46,14 +47,25 @@ std::vector<Rgb> spread(const RefinementTree& tree, const std::vector<Rgb>& of_p
 
 }  // namespace
 
+PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<LightSource> sources,
+                        int most_samples, std::uint64_t seed) {
+    double area = 0.0;
+    for (const Surface& surface : scene.surfaces) area += surface.area;
+    std::vector<Aperture> apertures = find_apertures(scene, rays, sources, area, seed);
+    return PointGather(rays, std::move(sources), most_samples, std::move(apertures));
+}
+
 DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
                          const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on)
     : scene_(scene),
       mesh_(mesh),
       rays_(rays),
-      gather_(rays, find_light_sources(scene, lines, rays, sources_for(mesh.size())), most_rays),
+      gather_(make_gather(scene, rays,
+                          find_light_sources(scene, lines, rays, sources_for(mesh.size())),
+                          most_rays, seed)),
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
       near_lights_(scene, mesh, gather_.sources()),
+      spots_(scene, mesh, rays, gather_.sources(), gather_.apertures(), seed),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
     restart_direct();
     restart_indirect();
@@ -70,7 +82,7 @@ bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
     // A shadow may lie between corners that see the source, and light between ones that do not.
     rule.must_cut = [&](const TreeElement& element) {
         return (element.area > area_ / aim.elements && points_.may_be_shaded(element.patch)) ||
-               near_lights_.may_hide_spot(tree_, element);
+               near_lights_.may_hide_spot(tree_, element) || spots_.may_hide_spot(tree_, element);
     };
     rule.follow = true;
     return direct_->refine(tree_, weight_, rule,

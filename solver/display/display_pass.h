@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/apertures/light_spots.h"
 #include "solver/display/irradiance_layer.h"
 #include "solver/display/near_lights.h"
 #include "solver/display/tree_display.h"
@@ -56,6 +57,7 @@ class DisplayPass {
     PointGather gather_;
     VertexGather points_;
     NearLights near_lights_;
+    LightSpots spots_;
     RefinementTree tree_;
     std::optional<IrradianceLayer> direct_, indirect_;
     int indirect_rays_ = 0;    // of each vertex so far

@@ -45,4 +45,12 @@ std::vector<LightSource> find_light_sources(const Scene& scene, const MeshLines&
     return sources;
 }
 
+double narrow_side(const ConvexPolygon& polygon) {
+    double longest = 0.0;
+    for (std::size_t k = 0; k < polygon.size; ++k)
+        for (std::size_t l = 0; l < k; ++l)
+            longest = std::max(longest, (polygon.corners[k] - polygon.corners[l]).norm());
+    return longest > 0.0 ? vector_area(polygon.view()).norm() / longest : 0.0;
+}
+
 }  // namespace patchlight

@@ -24,4 +24,7 @@ struct LightSource {
 std::vector<LightSource> find_light_sources(const Scene& scene, const MeshLines& lines,
                                             const RayScene& rays, std::size_t most);
 
+/// Area over the longest distance of two corners [m].
+double narrow_side(const ConvexPolygon& polygon);
+
 }  // namespace patchlight

@@ -27,14 +27,6 @@ double distance_to(const ConvexPolygon& polygon, const Vec3& normal, const Vec3&
     return above ? std::abs((p - polygon.corners[0]).dot(normal)) : nearest;
 }
 
-double narrow_side(const ConvexPolygon& polygon) {
-    double longest = 0.0;
-    for (std::size_t k = 0; k < polygon.size; ++k)
-        for (std::size_t l = 0; l < k; ++l)
-            longest = std::max(longest, (polygon.corners[k] - polygon.corners[l]).norm());
-    return longest > 0.0 ? vector_area(polygon.view()).norm() / longest : 0.0;
-}
-
 }  // namespace
 
 NearLights::NearLights(const Scene& scene, const PatchMesh& mesh,

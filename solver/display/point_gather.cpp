@@ -14,10 +14,18 @@ constexpr float tiny = 1e-12f;  // squared distance that is taken for no less [r
 constexpr double outlines = 2.0;
 }  // namespace
 
-PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples)
+PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples,
+                         std::vector<Aperture> apertures)
     : rays_(rays),
       sources_(std::move(sources)),
-      points_(static_cast<std::size_t>(std::max(most_samples, ray_batch))) {}
+      apertures_(std::move(apertures)),
+      points_(static_cast<std::size_t>(std::max(most_samples, ray_batch))) {
+    if (apertures_.empty()) return;
+    for (std::uint32_t s = 0; s < sources_.size(); ++s) {
+        source_of_.resize(std::max<std::size_t>(source_of_.size(), sources_[s].surface + 1), 0);
+        source_of_[sources_[s].surface] = s + 1;
+    }
+}
 
 GatherPoint PointGather::at(const Vec3& position, const Vec3& normal, float lift) const {
     GatherPoint point;
@@ -39,7 +47,10 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, st
         const std::uint32_t blocked = rays_.blocked(batch, filled);
         for (int k = 0; k < filled; ++k) {
             share.all += weights[k];
-            if (!((blocked >> k) & 1u)) share.clear += weights[k];
+            if ((blocked >> k) & 1u) continue;
+            const auto lane = static_cast<std::size_t>(k);
+            const RayPoint ray(batch.dx[lane], batch.dy[lane], batch.dz[lane]);
+            if (count_crossed(apertures_, point.origin, ray) == 0) share.clear += weights[k];
         }
         filled = 0;
     };
@@ -81,6 +92,11 @@ PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEf
                 outlines * whole * whole * clear * (1.0 - clear) * std::pow(effort.most, -1.5);
         }
         sum.irradiance += clear * factor * source.exitance;
+    }
+    for (std::size_t g = 0; g < apertures_.size(); ++g) {
+        const Through found = through(point, apertures_[g], effort, mix(key, sources_.size() + g));
+        sum.irradiance += found.irradiance;
+        sum.variance += found.variance;
     }
     return sum;
 }

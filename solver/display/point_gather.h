@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/apertures/aperture.h"
 #include "solver/display/light_sources.h"
 #include "solver/display/reflected_field.h"
 #include "solver/rays/cosine_directions.h"
@@ -25,12 +26,15 @@ struct DirectEffort {
 };
 
 /// Irradiance at points: sources one by one, by Lambert's formula times the visibility that samples
-/// weighted with the kernel measure; all other light by rays over the hemisphere.
+/// weighted with the kernel measure; their light through apertures by samples of those; all other
+/// light by rays over the hemisphere.
 class PointGather {
   public:
-    PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples);
+    PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples,
+                std::vector<Aperture> apertures = {});
 
     const std::vector<LightSource>& sources() const { return sources_; }
+    const std::vector<Aperture>& apertures() const { return apertures_; }
     GatherPoint at(const Vec3& position, const Vec3& normal, float lift) const;
 
     struct Direct {
@@ -67,12 +71,25 @@ class PointGather {
     void sample(const GatherPoint& point, const LightSource& source, std::uint64_t key, int first,
                 int end, Share& share) const;
 
+    struct Through {
+        Rgb irradiance = Rgb::Zero();
+        double variance = 0.0;
+    };
+    Through through(const GatherPoint& point, const Aperture& aperture, const DirectEffort& effort,
+                    std::uint64_t key) const;
+
     struct Hemisphere;
     struct Excess;
 
     const RayScene& rays_;
     std::vector<LightSource> sources_;
+    std::vector<Aperture> apertures_;
+    std::vector<std::uint32_t> source_of_;  // per surface, where there are apertures: number and 1
     SobolPoints points_;
 };
+
+/// The same with the apertures that are found.
+PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<LightSource> sources,
+                        int most_samples, std::uint64_t seed);
 
 }  // namespace patchlight

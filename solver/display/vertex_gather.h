@@ -31,6 +31,7 @@ class VertexGather {
     /// A point of patch i, moved a little towards its centre so that no ray starts on the edge of
     /// another surface.
     GatherPoint point(PatchIndex i, const Vec3& position) const;
+    std::size_t patches() const { return mesh_.size(); }
     SurfaceIndex surface_of(PatchIndex i) const { return mesh_.patches[i].surface; }
     const PointGather& gather() const { return gather_; }
     /// Whether something may stand between patch i and a source.

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "solver/rays/ray_scene.h"
+
+#include <vector>
+
+namespace patchlight {
+
+/// A parallelogram in a gap between surfaces, through which a lamp lights what lies beyond: a slit,
+/// a hole, a gap between louvres. All in ray space.
+struct Aperture {
+    RayPoint corner, first_edge, second_edge;
+    RayPoint normal;  // unit, either way
+    float area = 0.0f;
+    RayPoint first_of, second_of;  // (p - corner)·x: coordinates along the edges [1]
+
+    RayPoint at(float u, float v) const { return corner + u * first_edge + v * second_edge; }
+    /// Whether the segment from `origin` along `ray` crosses it.
+    bool crosses(const RayPoint& origin, const RayPoint& ray) const {
+        const float along = ray.dot(normal), above = (corner - origin).dot(normal);
+        if (!(above * along > 0.0f) || std::abs(above) >= std::abs(along)) return false;
+        const RayPoint p = origin + (above / along) * ray - corner;
+        const float u = p.dot(first_of), v = p.dot(second_of);
+        return u >= 0.0f && u < 1.0f && v >= 0.0f && v < 1.0f;
+    }
+};
+
+/// From a corner and two edges that are at right angles.
+Aperture make_aperture(const RayPoint& corner, const RayPoint& first_edge,
+                       const RayPoint& second_edge);
+
+/// How many a segment crosses. Each that is sampled by itself counts a ray that crosses n of them
+/// 1/n times, and who samples lamps leaves out the rays that cross any: so all light counts once,
+/// wherever apertures were found.
+int count_crossed(const std::vector<Aperture>& apertures, const RayPoint& origin,
+                  const RayPoint& ray);
+
+}  // namespace patchlight

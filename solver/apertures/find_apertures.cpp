@@ -1,0 +1,224 @@
+#include "solver/apertures/find_apertures.h"
+
+#include "solver/apertures/gap_probe.h"
+#include "solver/rays/low_discrepancy.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace patchlight {
+
+namespace {
+
+constexpr double widest = 0.01;   // of the root of the area: gaps that are looked for [1]
+constexpr double nearest = 1e-4;  // of the widest gap: beside an edge [1]
+constexpr std::size_t lines_of_edge = 16, fewest_first = 8192, most_first = 100'000;
+constexpr std::size_t most_lines = 1'000'000;
+constexpr std::size_t most_apertures = 512;
+constexpr std::size_t lines_at_a_time = 256;
+
+float number(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
+
+/// An edge of a polygon, and where beside it a gap may begin [ray space].
+struct Edge {
+    RayPoint from, along;  // `along`: whole
+    RayPoint outward;      // unit, in the polygon's plane
+    RayPoint normal;       // unit
+};
+
+class ApertureSearch {
+  public:
+    ApertureSearch(const Scene& scene, const RayScene& rays,
+                   const std::vector<LightSource>& sources, double area, std::uint64_t seed)
+        : scene_(scene), rays_(rays), sources_(sources), seed_(seed) {
+        widest_ = static_cast<float>(widest * std::sqrt(area) * rays.scale());
+        source_of_.assign(scene.surfaces.size(), nullptr);
+        double power = 0.0;
+        for (const LightSource& source : sources) {
+            source_of_[source.surface] = &source;
+            power += source.power;
+            power_.push_back(power);
+        }
+        for (const Surface& surface : scene.surfaces)
+            if (surface.side == Side::front) add_edges(surface);
+    }
+
+    std::vector<Aperture> find() {
+        if (edges_.empty() || sources_.empty()) return {};
+        std::size_t first = 0,
+                    count = std::clamp(lines_of_edge * edges_.size(), fewest_first, most_first);
+        while (first < most_lines) {
+            const std::size_t before = found_.size();
+            const std::vector<Passage> now = passages(first, first + count);
+            for (const bool grazes :
+                 {false, true})  // a gap is told best by light that goes straight
+                for (const Passage& passage : now)
+                    if (passage.grazes() == grazes) look_at(passage);
+            first += count;
+            if (found_.size() == before || found_.size() >= most_apertures) break;
+            count = std::min(std::max(count, most_first), most_lines - first);
+        }
+        return std::move(found_);
+    }
+
+  private:
+    /// A line that goes from a source by an edge to a front.
+    struct Passage {
+        RayPoint point, direction;          // unit, away from the source
+        float before = 0.0f, after = 0.0f;  // to the source, and to the front
+        const Edge* edge = nullptr;
+        const LightSource* source = nullptr;
+
+        bool grazes() const { return std::abs(direction.dot(edge->normal)) < GapProbe::grazing; }
+    };
+
+    void add_edges(const Surface& surface) {
+        const std::size_t n = surface.corners.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            const Vec3 along = surface.corners[(k + 1) % n] - surface.corners[k];
+            if (!(along.norm() > 0.0)) continue;
+            Edge edge;
+            edge.from = rays_.to_ray_space(surface.corners[k]);
+            edge.along = (along * rays_.scale()).cast<float>();
+            edge.outward = along.cross(surface.normal).normalized().cast<float>();
+            edge.normal = surface.normal.cast<float>();
+            edges_.push_back(edge);
+        }
+    }
+
+    struct Line {
+        const Edge* edge = nullptr;
+        RayPoint point, direction;  // towards where a source may be
+    };
+    /// Beside an edge, at any distance alike on a scale of powers; towards a source, or anywhere.
+    Line line(std::size_t n) const {
+        const std::uint64_t key = mix(seed_, n);
+        const auto random = [&](std::uint64_t k) { return number(mix(key, k)); };
+        Line line;
+        line.edge = &edges_[mix(key, 0) % edges_.size()];
+        const auto distance = static_cast<float>(static_cast<double>(widest_) *
+                                                 std::pow(nearest, static_cast<double>(random(1))));
+        line.point = line.edge->from + random(2) * line.edge->along + distance * line.edge->outward;
+        if (n % 2 == 0) {
+            const double at = static_cast<double>(random(3)) * power_.back();
+            const auto k = std::min<std::size_t>(
+                static_cast<std::size_t>(std::upper_bound(power_.begin(), power_.end(), at) -
+                                         power_.begin()),
+                power_.size() - 1);
+            const std::size_t any = mix(key, 4) % sources_.size();
+            const LightSource& source = sources_[n % 4 == 0 ? k : any];
+            line.direction = (source.sampler.at(random(5), random(6)) - line.point).normalized();
+        } else if (n % 4 == 1 && !known_.empty()) {
+            line.direction = known_[mix(key, 7) % known_.size()];
+        } else {
+            const float z = 2.0f * random(5) - 1.0f,
+                        turn = 2.0f * std::numbers::pi_v<float> * random(6),
+                        r = std::sqrt(std::max(0.0f, 1.0f - z * z));
+            line.direction = {r * std::cos(turn), r * std::sin(turn), z};
+        }
+        return line;
+    }
+
+    /// Of lines [first, end), in their order.
+    std::vector<Passage> passages(std::size_t first, std::size_t end) const {
+        const std::size_t chunks = (end - first + lines_at_a_time - 1) / lines_at_a_time;
+        std::vector<std::vector<Passage>> of_chunk(chunks);
+        tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+            const std::size_t from = first + chunk * lines_at_a_time;
+            follow(from, std::min(from + lines_at_a_time, end), of_chunk[chunk]);
+        });
+        std::vector<Passage> all;
+        for (const auto& part : of_chunk) all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }
+
+    void follow(std::size_t first, std::size_t end, std::vector<Passage>& found) const {
+        RayBatch batch;
+        LandingBatch ahead, behind;
+        std::array<Line, ray_batch> lines;
+        for (; first < end; first += ray_batch) {
+            const auto count = static_cast<int>(std::min<std::size_t>(ray_batch, end - first));
+            const auto fill = [&](float sign) {
+                for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+                    const RayPoint &o = lines[k].point, d = sign * lines[k].direction;
+                    batch.ox[k] = o.x(), batch.oy[k] = o.y(), batch.oz[k] = o.z();
+                    batch.dx[k] = d.x(), batch.dy[k] = d.y(), batch.dz[k] = d.z();
+                }
+            };
+            for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+                lines[k] = line(first + k);
+            fill(1.0f);
+            rays_.land(batch, count, ahead);
+            fill(-1.0f);
+            rays_.land(batch, count, behind);
+            for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+                if (ahead.landing[k] != Landing::front || behind.landing[k] != Landing::front)
+                    continue;
+                const LightSource* source = source_of_[ahead.surface[k]];
+                if (!source || !sends_back(behind.surface[k])) continue;
+                const auto distance = [&](const LandingBatch& to) {
+                    return (RayPoint(to.x[k], to.y[k], to.z[k]) - lines[k].point).norm();
+                };
+                found.push_back({lines[k].point, -lines[k].direction, distance(ahead),
+                                 distance(behind), lines[k].edge, source});
+            }
+        }
+    }
+
+    bool sends_back(SurfaceIndex s) const {
+        return (scene_.materials[scene_.surfaces[s].material].reflectance > 0.0).any();
+    }
+
+    void look_at(const Passage& passage) {
+        if (found_.size() >= most_apertures) return;
+        const RayPoint from = passage.point - passage.before * passage.direction,
+                       whole = (passage.before + passage.after) * passage.direction;
+        if (count_crossed(found_, from, whole) > 0) return;
+        const GapProbe probe{rays_, passage.direction,
+                             std::min({passage.before, passage.after, 10.0f * widest_}), widest_};
+        const auto gap = probe.find(passage.point, passage.edge->outward, passage.edge->along,
+                                    passage.edge->normal);
+        if (!gap || !is_worth_it(*gap, passage)) return;
+        found_.push_back(*gap);
+        known_.push_back(-passage.direction);
+    }
+
+    /// A lamp of which little is seen through the gap, or a spot that vertices may miss.
+    bool is_worth_it(const Aperture& gap, const Passage& passage) const {
+        constexpr float little = 0.25f, spot_of_widest = 0.75f;
+        constexpr float far_from_both = 0.25f;  // else it is an edge that light grazes, or no gap
+        const float width = std::min(gap.first_edge.norm(), gap.second_edge.norm()),
+                    lamp = static_cast<float>(narrow_side(passage.source->polygon) * rays_.scale());
+        if (width > far_from_both * std::min(passage.before, passage.after)) return false;
+        const float seen = width * (passage.before + passage.after) / passage.after,
+                    spot = width * (1.0f + passage.after / passage.before) +
+                           lamp * passage.after / passage.before;
+        return seen < little * lamp || spot < spot_of_widest * widest_;
+    }
+
+    const Scene& scene_;
+    const RayScene& rays_;
+    const std::vector<LightSource>& sources_;
+    std::uint64_t seed_;
+    float widest_ = 0.0f;                        // gap [ray space]
+    std::vector<const LightSource*> source_of_;  // per surface
+    std::vector<double> power_;                  // cumulated
+    std::vector<Edge> edges_;
+    std::vector<Aperture> found_;
+    std::vector<RayPoint> known_;  // directions in which some were found, towards sources
+};
+
+}  // namespace
+
+std::vector<Aperture> find_apertures(const Scene& scene, const RayScene& rays,
+                                     const std::vector<LightSource>& sources, double area,
+                                     std::uint64_t seed) {
+    return ApertureSearch(scene, rays, sources, area, seed).find();
+}
+
+}  // namespace patchlight

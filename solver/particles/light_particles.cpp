@@ -1,0 +1,269 @@
+#include "solver/particles/light_particles.h"
+
+#include "solver/rays/cosine_directions.h"
+#include "solver/rays/low_discrepancy.h"
+#include "solver/rays/patch_sampler.h"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace patchlight {
+
+namespace {
+
+constexpr std::size_t particles_at_a_time = 1024;
+constexpr double by_power = 0.75;  // of the particles; the rest is shared alike by lamps, since
+                                   // what lights a room may be its weakest [1]
+constexpr float dim = 0.25f;       // of its first flux: from there on chance ends paths, so that
+                                   // what goes on carries about as much [1]
+constexpr std::uint16_t most_bounces = 10'000;
+
+float number(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
+
+float largest(const std::array<float, 3>& flux) { return std::max({flux[0], flux[1], flux[2]}); }
+
+}  // namespace
+
+LightParticles::LightParticles(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                               const std::vector<Aperture>& apertures)
+    : scene_(scene), mesh_(mesh), rays_(rays), apertures_(apertures) {
+    RayPoint low = RayPoint::Constant(1e30f), high = -low;
+    for (const Surface& surface : scene.surfaces) {
+        if (!(scene.materials[surface.material].reflectance > 0.0).any()) continue;
+        for (const Vec3& corner : surface.corners) {
+            low = low.cwiseMin(rays.to_ray_space(corner));
+            high = high.cwiseMax(rays.to_ray_space(corner));
+        }
+    }
+    centre_ = 0.5f * (low + high);
+    radius_ = 0.5f * (high - low).norm();
+    for (const Surface& surface : scene.surfaces) {
+        const Rgb& reflectance = scene.materials[surface.material].reflectance;
+        reflectance_.push_back({static_cast<float>(reflectance[0]),
+                                static_cast<float>(reflectance[1]),
+                                static_cast<float>(reflectance[2])});
+        normals_.push_back(surface.normal.cast<float>());
+    }
+    std::map<ObjectIndex, std::uint32_t> lamps;
+    const auto exitance_of = [&](PatchIndex i) {
+        return scene.materials[scene.surfaces[mesh.patches[i].surface].material].exitance;
+    };
+    double total = 0.0;
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        double power = mesh.patches[i].area * luminance(exitance_of(i));
+        if (mesh.patches[i].covered || !(power > 0.0)) continue;
+        const Cone cone = cone_from(rays.to_ray_space(mesh.patches[i].centre));
+        if (cone.cosine > 0.0f) {  // about what it sends there
+            const SurfaceIndex s = mesh.patches[i].surface;
+            const float sine = std::sqrt(1.0f - cone.cosine * cone.cosine),
+                        facing = cone.axis.dot(scene.surfaces[s].normal.cast<float>());
+            if (facing < -sine) continue;
+            power *=
+                static_cast<double>(2.0f * (1.0f - cone.cosine) * std::max(0.5f * sine, facing));
+        }
+        const ObjectIndex object = scene.surfaces[mesh.patches[i].surface].object;
+        const std::uint32_t lamp =
+            lamps.try_emplace(object, static_cast<std::uint32_t>(lamps.size())).first->second;
+        if (lamp == lamp_power_.size()) lamp_power_.push_back(0.0);
+        lamp_power_[lamp] += power;
+        total += power;
+        emitters_.push_back({i, lamp, power, {}});
+    }
+    double cumulative = 0.0;
+    const double alike =
+        (1.0 - by_power) / static_cast<double>(std::max<std::size_t>(1, lamp_power_.size()));
+    for (Emitter& emitter : emitters_) {
+        const double power = emitter.cumulative,
+                     chance = by_power * power / total + alike * power / lamp_power_[emitter.lamp];
+        const Rgb flux = mesh.patches[emitter.patch].area * exitance_of(emitter.patch) / chance;
+        for (std::size_t c = 0; c < 3; ++c)
+            emitter.flux[c] = static_cast<float>(flux[static_cast<Eigen::Index>(c)]);
+        emitter.cumulative = cumulative += chance;
+    }
+    for (Emitter& emitter : emitters_) emitter.cumulative /= cumulative;
+}
+
+LightParticles::Cone LightParticles::cone_from(const RayPoint& point) const {
+    constexpr float near = 1.25f;  // radii: not worth a cone
+    const RayPoint to = centre_ - point;
+    const float distance = to.norm();
+    if (!(distance > near * radius_)) return {};
+    const float sine = radius_ / distance;
+    return {to / distance, std::sqrt(1.0f - sine * sine)};
+}
+
+struct LightParticles::Flight {
+    RayPoint origin, direction;
+    std::array<float, 3> flux{};
+    float dim_at = 0.0f;  // flux from which on chance ends it
+    std::uint32_t path = 0;
+    std::uint16_t bounces = 0;
+    float aperture_at = 0.0f;  // distance of the one it is aimed through; 0: of none
+};
+
+struct LightParticles::Tracer {
+    const LightParticles& from;
+    const SobolPoints& points;
+    std::uint64_t seed;
+    std::array<std::uint32_t, 4> seeds;
+    float per_particle;  // one over their number
+    std::vector<ParticleLanding> landings = {};
+    std::vector<std::uint64_t> sent = {};  // per lamp
+    std::vector<double> power = {};        // per lamp, towards what sends light back [W]
+    std::uint64_t rays = 0;
+
+    /// By chance: low bits of a number say where in the Sobol sequence its point lies.
+    bool is_aimed(std::size_t n) const {
+        return !from.apertures_.empty() && mix(mix(seed, n), 1) % 2 == 1;
+    }
+
+    /// False if nothing goes that way.
+    bool start(std::size_t n, Flight& flight) {
+        const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(points.size());
+        const auto found = std::lower_bound(
+            from.emitters_.begin(), from.emitters_.end() - 1, share,
+            [](const Emitter& emitter, double at) { return emitter.cumulative < at; });
+        const auto coordinate = [&](std::size_t d) { return points.at(d, n, seeds[d]); };
+        const SurfaceIndex s = from.mesh_.patches[found->patch].surface;
+        const RayPoint& normal = from.normals_[s];
+        const PatchSampler sampler =
+            make_sampler(from.mesh_, found->patch, from.scene_.surfaces[s].normal, from.rays_);
+        flight.origin = sampler.at(coordinate(0), coordinate(1)) + from.rays_.lift(s) * normal;
+        flight.aperture_at = 0.0f;
+        float weight = per_particle;
+        if (is_aimed(n)) {
+            const std::size_t g = mix(mix(seed, n), 0) % from.apertures_.size();
+            const Aperture& aperture = from.apertures_[g];
+            const RayPoint ray = aperture.at(coordinate(2), coordinate(3)) - flight.origin;
+            const float squared = std::max(1e-14f, ray.squaredNorm());
+            flight.aperture_at = std::sqrt(squared);
+            flight.direction = ray / flight.aperture_at;
+            weight *= 2.0f * std::max(0.0f, flight.direction.dot(normal)) *
+                      std::abs(flight.direction.dot(aperture.normal)) * aperture.area *
+                      static_cast<float>(from.apertures_.size()) /
+                      (squared * std::numbers::pi_v<float>);
+        } else {
+            if (!from.apertures_.empty()) weight *= 2.0f;
+            const Cone cone = from.cone_from(flight.origin);
+            if (cone.cosine > 0.0f) {
+                const float z = 1.0f - coordinate(2) * (1.0f - cone.cosine),
+                            turn = 2.0f * std::numbers::pi_v<float> * coordinate(3),
+                            r = std::sqrt(std::max(0.0f, 1.0f - z * z));
+                const RayFrame frame = frame_about(cone.axis);
+                flight.direction = r * std::cos(turn) * frame.tangent +
+                                   r * std::sin(turn) * frame.bitangent + z * frame.normal;
+                weight *=
+                    2.0f * (1.0f - cone.cosine) * std::max(0.0f, flight.direction.dot(normal));
+            } else {
+                flight.direction =
+                    cosine_direction(frame_about(normal), coordinate(2), coordinate(3));
+            }
+            ++sent[found->lamp];
+            double y = 0.0;
+            constexpr std::array<double, 3> luminance_of{0.2126, 0.7152, 0.0722};
+            for (std::size_t c = 0; c < 3; ++c)
+                y += luminance_of[c] * static_cast<double>(found->flux[c]);
+            power[found->lamp] += y * static_cast<double>(weight);
+        }
+        for (std::size_t c = 0; c < 3; ++c) flight.flux[c] = found->flux[c] * weight;
+        flight.dim_at = dim * largest(flight.flux);
+        flight.path = static_cast<std::uint32_t>(n);
+        flight.bounces = 0;
+        return weight > 0.0f;
+    }
+
+    /// Of light straight from a lamp, as often as it is counted here: what goes through apertures
+    /// is counted by those alone.
+    float share(const Flight& flight, const RayPoint& at) const {
+        if (flight.bounces > 0 || from.apertures_.empty()) return 1.0f;
+        constexpr float short_of = 0.9999f;
+        const RayPoint whole = at - flight.origin;
+        const int crossed = count_crossed(from.apertures_, flight.origin, whole);
+        if (flight.aperture_at == 0.0f) return crossed == 0 ? 1.0f : 0.0f;
+        if (whole.norm() < short_of * flight.aperture_at) return 0.0f;
+        return 1.0f / static_cast<float>(std::max(1, crossed));
+    }
+
+    /// Where it landed on a front; false if it ends there.
+    bool bounce(Flight& flight, SurfaceIndex s, const RayPoint& at) {
+        const float counted = share(flight, at);
+        if (!(counted > 0.0f)) return false;
+        for (float& flux : flight.flux) flux *= counted;
+        flight.dim_at *= counted;
+        landings.push_back({at, s, flight.flux, flight.path, flight.bounces});
+        const std::uint64_t stream = mix(mix(seed, flight.path), ++flight.bounces);
+        for (std::size_t c = 0; c < 3; ++c) flight.flux[c] *= from.reflectance_[s][c];
+        const float most = largest(flight.flux);
+        if (!(most > 0.0f) || flight.bounces == most_bounces) return false;
+        if (most < flight.dim_at) {
+            if (number(mix(stream, 0)) * flight.dim_at >= most) return false;
+            for (float& flux : flight.flux) flux *= flight.dim_at / most;
+        }
+        flight.origin = at + from.rays_.lift(s) * from.normals_[s];
+        flight.direction = cosine_direction(frame_about(from.normals_[s]), number(mix(stream, 1)),
+                                            number(mix(stream, 2)));
+        return true;
+    }
+
+    void trace(std::size_t next, std::size_t end) {
+        std::array<Flight, ray_batch> flights;
+        std::size_t count = 0;
+        RayBatch batch;
+        LandingBatch landed;
+        for (;;) {
+            while (count < ray_batch && next < end)
+                if (start(next++, flights[count])) ++count;
+            if (count == 0) return;
+            for (std::size_t k = 0; k < count; ++k) {
+                const Flight& flight = flights[k];
+                batch.ox[k] = flight.origin.x(), batch.dx[k] = flight.direction.x();
+                batch.oy[k] = flight.origin.y(), batch.dy[k] = flight.direction.y();
+                batch.oz[k] = flight.origin.z(), batch.dz[k] = flight.direction.z();
+            }
+            from.rays_.land(batch, static_cast<int>(count), landed);
+            rays += count;
+            std::size_t left = 0;
+            for (std::size_t k = 0; k < count; ++k)
+                if (landed.landing[k] == Landing::front &&
+                    bounce(flights[k], landed.surface[k],
+                           RayPoint(landed.x[k], landed.y[k], landed.z[k])))
+                    flights[left++] = flights[k];
+            count = left;
+        }
+    }
+};
+
+ParticleFlux LightParticles::send(std::size_t count, std::uint64_t seed) const {
+    ParticleFlux flux;
+    flux.lamps.resize(lamp_power_.size());
+    if (empty()) return flux;
+    const std::size_t chunks = (count + particles_at_a_time - 1) / particles_at_a_time;
+    const SobolPoints points(chunks * particles_at_a_time);
+    std::array<std::uint32_t, 4> seeds{};
+    for (std::uint64_t d = 0; d < seeds.size(); ++d)
+        seeds[d] = static_cast<std::uint32_t>(mix(seed, d));
+    std::vector<Tracer> tracers(
+        chunks, Tracer{*this, points, seed, seeds, 1.0f / static_cast<float>(points.size())});
+    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+        tracers[chunk].sent.assign(lamp_power_.size(), 0);
+        tracers[chunk].power.assign(lamp_power_.size(), 0.0);
+        tracers[chunk].trace(chunk * particles_at_a_time, (chunk + 1) * particles_at_a_time);
+    });
+    flux.particles = points.size();
+    for (Tracer& tracer : tracers) {
+        flux.landings.insert(flux.landings.end(), tracer.landings.begin(), tracer.landings.end());
+        flux.rays += tracer.rays;
+        for (std::size_t lamp = 0; lamp < flux.lamps.size(); ++lamp) {
+            flux.lamps[lamp].particles += tracer.sent[lamp];
+            flux.lamps[lamp].power += tracer.power[lamp];
+        }
+        std::vector<ParticleLanding>().swap(tracer.landings);
+    }
+    return flux;
+}
+
+}  // namespace patchlight
