@@ -11,8 +11,6 @@
 namespace patchlight::server {
 namespace {
 
-using Json = nlohmann::json;
-
 JsonError error_at(JsonFault fault, std::string_view bytes, std::size_t offset,
                    const std::string& detail) {
     const std::string_view before = bytes.substr(0, std::min(offset, bytes.size()));
@@ -43,7 +41,7 @@ JsonFault fault_of(const std::string& message) {
 }
 
 /// Builds the document while it counts depth, values and keys.
-class DocumentBuilder : public nlohmann::json_sax<Json> {
+class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
   public:
     DocumentBuilder(std::string_view bytes, const JsonLimits& limits)
         : bytes_(bytes), limits_(limits) {}
@@ -51,7 +49,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     DocumentBuilder(const DocumentBuilder&) = delete;
     DocumentBuilder& operator=(const DocumentBuilder&) = delete;
 
-    Json take() { return std::move(root_); }
+    nlohmann::json take() { return std::move(root_); }
 
     bool null() override { return add(nullptr); }
     bool boolean(bool flag) override { return add(flag); }
@@ -60,8 +58,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     bool number_float(number_float_t number, const string_t&) override { return add(number); }
     bool string(string_t& text) override { return add(std::move(text)); }
     bool binary(binary_t&) override { return false; }
-    bool start_object(std::size_t) override { return open(Json::object()); }
-    bool start_array(std::size_t) override { return open(Json::array()); }
+    bool start_object(std::size_t) override { return open(nlohmann::json::object()); }
+    bool start_array(std::size_t) override { return open(nlohmann::json::array()); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
 
@@ -90,17 +88,17 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   private:
     struct Level {
-        Json* container;
+        nlohmann::json* container;
         std::string key;  // the one whose value is being read, in an object
     };
 
     template <typename Value>
     bool add(Value&& value) {
-        place(Json(std::forward<Value>(value)));
+        place(nlohmann::json(std::forward<Value>(value)));
         return true;
     }
 
-    bool open(Json container) {
+    bool open(nlohmann::json container) {
         levels_.push_back({place(std::move(container)), {}});
         if (levels_.size() > limits_.depth)
             throw JsonError(JsonFault::too_deep, pointer(),
@@ -113,7 +111,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
         return true;
     }
 
-    Json* place(Json value) {
+    nlohmann::json* place(nlohmann::json value) {
         if (++values_ > limits_.values)
             throw JsonError(
                 JsonFault::too_large, "",
@@ -122,12 +120,12 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
             root_ = std::move(value);
             return &root_;
         }
-        Json& container = *levels_.back().container;
+        nlohmann::json& container = *levels_.back().container;
         if (container.is_array()) {
             container.push_back(std::move(value));
             return &container.back();
         }
-        Json& member = container[levels_.back().key];
+        nlohmann::json& member = container[levels_.back().key];
         member = std::move(value);
         return &member;
     }
@@ -145,7 +143,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
     std::string_view bytes_;
     JsonLimits limits_;
-    Json root_;
+    nlohmann::json root_;
     std::vector<Level> levels_;
     std::size_t values_ = 0;
 };
@@ -166,7 +164,7 @@ void check_bytes(std::string_view bytes, const JsonLimits& limits) {
 }  // namespace
 
 void dismantle(nlohmann::json& document) noexcept {
-    for (Json& element : document)
+    for (nlohmann::json& element : document)
         if (element.is_structured()) dismantle(element);
     if (document.is_structured()) document.clear();
 }
@@ -176,7 +174,7 @@ nlohmann::json parse_json(std::string_view bytes, const JsonLimits& limits) {
     if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
     check_bytes(bytes, limits);
     DocumentBuilder builder(bytes, limits);
-    Json::sax_parse(bytes, &builder);
+    nlohmann::json::sax_parse(bytes, &builder);
     return builder.take();
 }
 

@@ -122,13 +122,15 @@ Json add_mesh(GlbContainer& glb, const Views& views, const Taken& taken, const O
 using Quaternion = std::array<double, 4>;  // x, y, z, w
 constexpr Quaternion no_turn{0.0, 0.0, 0.0, 1.0};
 
-/// The turn that brings the axis nearest to `up` to +Y.
+/// The turn that brings the axis nearest to `up` to +Y: none, a quarter or a half.
 Quaternion turn_upright(const Eigen::Vector3d& up) {
     Eigen::Index axis = 1;
     up.cwiseAbs().maxCoeff(&axis);
-    const Vec3 nearest = Vec3::Unit(axis) * (up[axis] < 0.0 ? -1.0 : 1.0);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(nearest, Vec3::UnitY());
-    return {turn.x(), turn.y(), turn.z(), turn.w()};
+    const double sign = up[axis] < 0.0 ? -1.0 : 1.0;
+    constexpr double half = 1.0 / std::numbers::sqrt2;  // sine and cosine of half a quarter turn
+    if (axis == 0) return {0.0, 0.0, sign * half, half};
+    if (axis == 2) return {-sign * half, 0.0, 0.0, half};
+    return sign > 0.0 ? no_turn : Quaternion{1.0, 0.0, 0.0, 0.0};
 }
 
 Json head(const Job& job, double exposure) {

@@ -7,7 +7,7 @@
 namespace patchlight::server {
 namespace {
 
-const char* name_of(Side side) {
+const char* side_name(Side side) {
     switch (side) {
         case Side::front:
             return "front";
@@ -29,7 +29,7 @@ void write_patches_csv(const Scene& scene, const Solution& solution, const TextS
         const Surface& surface = scene.surfaces.at(patch.surface);
         const Material& material = scene.materials.at(surface.material);
         table.number(i).text(scene.objects.at(surface.object).name).text(material.name);
-        table.text(name_of(surface.side)).numbers(patch.centre).numbers(surface.normal);
+        table.text(side_name(surface.side)).numbers(patch.centre).numbers(surface.normal);
         table.number(patch.area).numbers(material.exitance);
         table.numbers(solution.radiosity.at(i)).numbers(solution.irradiance.at(i));
         table.end_row();

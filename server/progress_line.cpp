@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* wipe = "\r\x1b[K";
 
-std::string name_of(Stage stage) {
+std::string stage_name(Stage stage) {
     switch (stage) {
         case Stage::mesh:
             return "patches";
@@ -52,7 +52,7 @@ void ProgressLine::show(const Progress& progress) {
     constexpr std::chrono::milliseconds pause(100);  // short to the eye, long to the terminal
     if (now - shown_ < pause) return;
     shown_ = now;
-    std::string line = name_of(progress.stage);
+    std::string line = stage_name(progress.stage);
     constexpr double telling = 0.02;  // of a stage: less of it says nothing of its length
     const double spent = std::chrono::duration<double>(now - stage_begin_).count();
     if (progress.fraction > 0.0)

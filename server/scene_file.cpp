@@ -40,7 +40,7 @@ std::string read_file(const std::string& path) {
 }
 
 /// Such as will do for a name.
-std::string name_of(const std::filesystem::path& path) {
+std::string object_name(const std::filesystem::path& path) {
     std::string name = as_utf8(path.stem().string());
     const auto is_control = [](unsigned char byte) { return byte < 0x20 || byte == 0x7F; };
     std::replace_if(name.begin(), name.end(), is_control, ' ');
@@ -51,7 +51,7 @@ std::string name_of(const std::filesystem::path& path) {
 Job read_geometry_scene(const std::filesystem::path& path) {
     const nlohmann::json scene{
         {"version", 1},
-        {"objects", {{{"name", name_of(path)}, {"file", path.filename().string()}}}}};
+        {"objects", {{{"name", object_name(path)}, {"file", path.filename().string()}}}}};
     try {
         return read_scene(scene, {path.parent_path()});
     } catch (const InputError& error) {

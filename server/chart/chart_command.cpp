@@ -42,7 +42,7 @@ std::string summary(const Chart& chart) {
     return lines;
 }
 
-int exit_code(const Chart& chart) {
+int chart_exit_code(const Chart& chart) {
     if (chart.is_interrupted) return 130;  // what a shell says of a program that SIGINT ended
     return chart.points.empty() ? 3 : 0;
 }
@@ -97,7 +97,7 @@ int ChartCommand::run() const {
         std::cerr << "patchlight: interrupted: the chart holds what was measured so far\n";
     else if (chart.points.empty())
         std::cerr << "patchlight: the time limit was too short to measure anything\n";
-    return exit_code(chart);
+    return chart_exit_code(chart);
 }
 
 }  // namespace patchlight::server

@@ -9,7 +9,7 @@
 namespace patchlight::server {
 namespace {
 
-constexpr std::int64_t most_bytes = std::int64_t{512} << 20;  // of all buffers
+constexpr std::int64_t most_buffer_bytes = std::int64_t{512} << 20;  // of all buffers
 
 /// "%20" is a blank (RFC 3986, section 2.1).
 std::string without_percent_codes(std::string_view uri) {
@@ -70,7 +70,7 @@ std::vector<std::string> read_gltf_buffers(const JsonValue& root, const std::fil
     std::vector<std::string> buffers;
     const auto list = root.find("buffers");
     if (!list) return buffers;
-    std::int64_t left = most_bytes;
+    std::int64_t left = most_buffer_bytes;
     list->for_each_element([&](const JsonValue& buffer) {
         const JsonValue announced = buffer.at("byteLength");
         const auto length = static_cast<std::size_t>(announced.whole_number(0, left));

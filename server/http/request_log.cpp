@@ -1,7 +1,7 @@
 #include "server/http/request_log.h"
 
+#include <spdlog/logger.h>
 #include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
 #include <nlohmann/json.hpp>
 
 #include <array>

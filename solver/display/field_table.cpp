@@ -4,7 +4,7 @@
 
 #include <oneapi/tbb/parallel_for.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>

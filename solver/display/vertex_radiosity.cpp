@@ -3,7 +3,7 @@
 #include "solver/display/smooth_groups.h"
 #include "solver/scene/polygon.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -14,8 +14,18 @@ namespace {
 constexpr double mostly_hidden =
     0.95;                          // of a patch: what it says of its vertices does not count [1]
 constexpr double overshoot = 1.0;  // of the neighbourhood's range, beyond it [1]
+constexpr double on_one_line = 1e-12;  // squared spread off a line over that along it, at most [1]
 
 using Slope = Eigen::Matrix<double, 3, 3>;  // rows: channels; columns: world axes
+
+/// Of a matrix that is symmetric and has no negative eigenvalue: its inverse, or that along the one
+/// direction that it knows.
+Eigen::Matrix2d pseudo_inverse(const Eigen::Matrix2d& moments) {
+    const double squared_trace = moments.trace() * moments.trace();
+    if (moments.determinant() > on_one_line * squared_trace) return moments.inverse();
+    if (squared_trace > 0.0) return moments / squared_trace;
+    return Eigen::Matrix2d::Zero();
+}
 
 struct Fitter {
     const PatchMesh& mesh;
@@ -51,8 +61,7 @@ struct Fitter {
             total += weight * difference.square();
         }
         // Neighbours on one line tell the slope along it alone.
-        const Eigen::Matrix<double, 2, 3> flat =
-            moments.completeOrthogonalDecomposition().solve(right);
+        const Eigen::Matrix<double, 2, 3> flat = pseudo_inverse(moments) * right;
         Slope slope = (frame.u * flat.row(0) + frame.v * flat.row(1)).transpose();
         for (int c = 0; c < 3; ++c) {  // as much of it as the neighbours agree on
             const double explained = flat.col(c).dot(right.col(c));

@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::size_t most_surfaces = 80'000;  // that are looked at: the largest
 constexpr std::size_t all_rays = 1u << 19, fewest_rays = 8, most_rays = 64;
-constexpr std::size_t sure_rays = 256;  // that confirm what fewer found
-constexpr double sees_nothing = 0.02;   // of a front's view that is fronts, at most [1]
-constexpr double gets_light = 0.25;     // of a back's view that sends light, at least [1]
-constexpr int flights = 8;              // after which light has found its way round a room
+constexpr std::size_t confirming_rays = 256;  // that confirm what fewer found
+constexpr double sees_nothing = 0.02;         // of a front's view that is fronts, at most [1]
+constexpr double gets_light = 0.25;           // of a back's view that sends light, at least [1]
+constexpr int lamp_flights = 8;               // after which light has found its way round a room
 constexpr std::size_t most_partners = 256;
 constexpr double contact_share = 1e-6;   // of the scene's size: in one plane [1]
-constexpr std::size_t walks = 32;        // that look for a lamp, from each side of a surface
+constexpr std::size_t lamp_walks = 32;   // that look for a lamp, from each side of a surface
 constexpr std::size_t most_judged = 64;  // surfaces of an object whose two sides both see fronts
 constexpr double darker = 0.1;           // of the walks from the back: reach a lamp from the front
 
@@ -128,12 +128,13 @@ std::vector<Views> FlippedSearch::look(std::span<const SurfaceIndex> surfaces,
 
 /// Of walks that leave one side: those that come to see a lamp, before any flight or after some.
 double FlippedSearch::lit_share(SurfaceIndex s, Side side, int last_flight) const {
-    std::vector<Walker> walkers = start(s, side, walks);
+    std::vector<Walker> walkers = start(s, side, lamp_walks);
     const float sign = side == Side::front ? 1.0f : -1.0f;
-    std::vector<RayPoint> normals(walks, sign * search_.scene.surfaces[s].normal.cast<float>());
-    std::vector<bool> lit(walks, false);
+    std::vector<RayPoint> normals(lamp_walks,
+                                  sign * search_.scene.surfaces[s].normal.cast<float>());
+    std::vector<bool> lit(lamp_walks, false);
     for (int flight = 0; flight <= last_flight; ++flight) {
-        for (std::size_t k = 0; k < walks; ++k) {
+        for (std::size_t k = 0; k < lamp_walks; ++k) {
             const Walker& walker = walkers[k];
             if (!walker.flying || lit[k]) continue;
             if (flight > 0)
@@ -144,7 +145,7 @@ double FlippedSearch::lit_share(SurfaceIndex s, Side side, int last_flight) cons
         fly(search_.rays, walkers);
         turn(search_, walkers);
     }
-    return static_cast<double>(std::count(lit.begin(), lit.end(), true)) / walks;
+    return static_cast<double>(std::count(lit.begin(), lit.end(), true)) / lamp_walks;
 }
 
 bool FlippedSearch::is_flipped(SurfaceIndex s, const Views& views) const {
@@ -162,9 +163,9 @@ void FlippedSearch::judge_hollows(std::vector<SurfaceIndex>& both_see,
     const std::size_t step = (both_see.size() + most_judged - 1) / most_judged;
     std::size_t judged = 0, hollow = 0;
     for (std::size_t k = 0; k < both_see.size(); k += step, ++judged) {
-        const double back = lit_share(both_see[k], Side::back, flights);
-        hollow +=
-            back >= gets_light && lit_share(both_see[k], Side::front, flights) <= darker * back;
+        const double back = lit_share(both_see[k], Side::back, lamp_flights);
+        hollow += back >= gets_light &&
+                  lit_share(both_see[k], Side::front, lamp_flights) <= darker * back;
     }
     if (2 * hollow > judged) flipped.insert(flipped.end(), both_see.begin(), both_see.end());
 }
@@ -203,7 +204,7 @@ std::vector<Finding> FlippedSearch::find() {
             if (views[k].front > sees_nothing && views[k].back >= gets_light)
                 both_see[object].push_back(part[k]);
             else if (is_flipped(part[k], views[k]) &&
-                     is_flipped(part[k], look(part.subspan(k, 1), sure_rays)[0]))
+                     is_flipped(part[k], look(part.subspan(k, 1), confirming_rays)[0]))
                 flipped[object].push_back(part[k]);
         }
     }

@@ -23,7 +23,7 @@ constexpr std::size_t most_gaps = 2000;                 // that are looked into:
 constexpr std::size_t first_rays = 24, sure_rays = 96;  // from a gap to either end, at each tilt
 constexpr std::array<double, 3> tilts{0.0, 0.8, -0.8};  // to the way straight through [rad]
 constexpr double fan = 1.0;           // angle of the rays to the straight way through [rad]
-constexpr int flights = 6;            // that light goes on for
+constexpr int leak_flights = 6;       // that light goes on for
 constexpr double blind = 6.0;         // gap widths: shorter flights are those in a slot [1]
 constexpr double mostly = 2.0 / 3.0;  // of the light that ends outside: an end out of the room,
 constexpr double in_the_open = 0.5;   // if so much escapes; else it is a hollow of backs [1]
@@ -79,7 +79,7 @@ End look_into(const FlawSearch& search, std::vector<Walker> walkers, double shor
     const std::size_t sent = walkers.size();
     End end;
     std::vector<float> lengths;
-    for (int flight = 0; flight < flights; ++flight) {
+    for (int flight = 0; flight < leak_flights; ++flight) {
         fly(search.rays, walkers);
         if (flight == 0) {
             give_up_short_ones(walkers, shortest);
@@ -130,7 +130,7 @@ bool leads_out(const End& end) {
 }
 
 /// What is seen through a gap on either side of it, at each tilt.
-struct Views {
+struct GapViews {
     std::array<std::array<End, tilts.size()>, 2> sides;
 
     /// Of light that went on within a room on one side.
@@ -144,9 +144,10 @@ struct Views {
     }
 };
 
-Views look_through(const FlawSearch& search, const Gap& gap, std::size_t rays, std::uint64_t seed) {
+GapViews look_through(const FlawSearch& search, const Gap& gap, std::size_t rays,
+                      std::uint64_t seed) {
     const double shortest = blind * gap.width * search.rays.scale();
-    Views views;
+    GapViews views;
     for (const std::size_t side : {0u, 1u})
         for (std::size_t k = 0; k < tilts.size(); ++k)
             views.sides[side][k] = look_into(search,
@@ -158,7 +159,7 @@ Views look_through(const FlawSearch& search, const Gap& gap, std::size_t rays, s
 
 std::optional<Leak> leak_at(const FlawSearch& search, const Gap& gap, std::size_t rays,
                             std::uint64_t seed) {
-    const Views views = look_through(search, gap, rays, seed);
+    const GapViews views = look_through(search, gap, rays, seed);
     for (const std::size_t inner : {0u, 1u})
         for (const End& end : views.sides[inner])
             if (is_within(end) && std::any_of(views.sides[1 - inner].begin(),

@@ -9,11 +9,11 @@ namespace patchlight {
 namespace {
 
 constexpr std::size_t most_of_a_kind = 5;
-constexpr std::size_t names_at_most = 10;
+constexpr std::size_t objects_named = 10;
 
 void take_in(Finding& rest, const Finding& finding) {
     for (const std::string& name : finding.objects)
-        if (rest.objects.size() < names_at_most &&
+        if (rest.objects.size() < objects_named &&
             std::find(rest.objects.begin(), rest.objects.end(), name) == rest.objects.end())
             rest.objects.push_back(name);
     rest.count += finding.count;

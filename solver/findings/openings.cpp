@@ -21,7 +21,7 @@ constexpr int flights = 4;
 constexpr double open_share = 0.03;  // of flights that escape: an open scene [1]
 constexpr std::size_t fewest = 12;   // escapes that are no accident
 constexpr double slit_reach = 3.0;   // gap widths: what passes an edge nearer got out beside it [1]
-constexpr std::size_t names_at_most = 3;
+constexpr std::size_t holes_named = 3;
 
 struct Escape {
     Vec3 origin, direction;  // [m], unit
@@ -105,7 +105,7 @@ std::vector<std::string> rim(const FlawSearch& search, std::span<const Escape> e
     for (const auto& [name, count] : counts) order.emplace_back(-count, name);
     std::sort(order.begin(), order.end());
     std::vector<std::string> names;
-    for (std::size_t k = 0; k < std::min(order.size(), names_at_most); ++k)
+    for (std::size_t k = 0; k < std::min(order.size(), holes_named); ++k)
         names.push_back(order[k].second);
     return names;
 }

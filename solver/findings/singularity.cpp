@@ -12,10 +12,10 @@ namespace patchlight {
 
 namespace {
 
-constexpr double nearly_all = 0.985;  // of the light that is left after a reflection [1]
-constexpr std::size_t walks = 256;    // from each object
+constexpr double nearly_all = 0.985;     // of the light that is left after a reflection [1]
+constexpr std::size_t walks_each = 256;  // from each object
 constexpr std::size_t most_objects = 64;
-constexpr int flights = 16;
+constexpr int long_flights = 16;
 
 /// Objects with a surface that reflects nearly all light, and the largest such surface of each.
 std::map<ObjectIndex, std::vector<SurfaceIndex>> bright_objects(const Scene& scene) {
@@ -34,7 +34,7 @@ double left_after_reflection(const FlawSearch& search, const std::vector<Surface
     std::vector<double> areas;
     for (const SurfaceIndex s : from) areas.push_back(search.scene.surfaces[s].area);
     std::vector<Walker> walkers;
-    for (const std::uint32_t k : draw(areas, walks, mix(search.seed, from[0]))) {
+    for (const std::uint32_t k : draw(areas, walks_each, mix(search.seed, from[0]))) {
         const std::uint64_t seed = mix(mix(search.seed, from[k]), walkers.size());
         walkers.push_back(leave(search, from[k],
                                 SurfacePoints(search.scene.surfaces[from[k]]).at(seed), Side::front,
@@ -42,7 +42,7 @@ double left_after_reflection(const FlawSearch& search, const std::vector<Surface
     }
     Rgb left = Rgb::Zero();
     double counted = 0.0;
-    for (int flight = 0; flight < flights; ++flight) {
+    for (int flight = 0; flight < long_flights; ++flight) {
         fly(search.rays, walkers);
         for (const Walker& walker : walkers) {
             if (!walker.flying) continue;

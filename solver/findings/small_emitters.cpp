@@ -16,9 +16,9 @@ namespace patchlight {
 namespace {
 
 constexpr double enough = 10.0;           // samples of a pair: noise of a third [1]
-constexpr std::size_t rays = 64;          // that tell where a lamp's light lands
+constexpr std::size_t landing_rays = 64;  // that tell where a lamp's light lands
 constexpr std::size_t most_lamps = 1000;  // that are looked at
-constexpr std::size_t names_at_most = 10;
+constexpr std::size_t emitters_named = 10;
 
 /// Samples of a patch's hemisphere: rays, or as many cells of even share as a hemicube has.
 double samples_of(const SolveSettings& planned) {
@@ -40,7 +40,7 @@ double effective_count(const std::vector<double>& power) {
 double connecting(const FlawSearch& search, SurfaceIndex lamp, double samples, double patch_area) {
     const SurfacePoints points(search.scene.surfaces[lamp]);
     std::vector<Walker> walkers;
-    for (std::size_t k = 0; k < rays; ++k) {
+    for (std::size_t k = 0; k < landing_rays; ++k) {
         const std::uint64_t seed = mix(mix(search.seed, lamp), k);
         walkers.push_back(leave(search, lamp, points.at(seed), Side::front, seed));
     }
@@ -85,7 +85,7 @@ std::vector<Finding> find_small_emitters(const FlawSearch& search, const SolveSe
         ++count;
         if (met < fewest) fewest = met, worst = s;
         const std::string& name = search.object_of(s);
-        if (known.insert(name).second && names.size() < names_at_most) names.push_back(name);
+        if (known.insert(name).second && names.size() < emitters_named) names.push_back(name);
     }
     if (count == 0) return {};
     const Surface& lamp = search.scene.surfaces[worst];

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_rows = 64;  // computed between two words to the observer
 constexpr double most_rays = 2e6;      // cast between them, about a tenth of a second [1]
-constexpr double exact_closure =
+constexpr double sums_to_one =
     1e-6;  // a row of exact entries that sums to 1 this well sees nothing else [1]
 
 void append(ExchangeMatrix& matrix, PatchIndex i, const FactorRow& row) {
@@ -105,7 +105,7 @@ ExchangeMatrix build_exchange(const FormFactorEngine& engine, const Scene& scene
         if (known[i])
             outside[i] = *known[i];
         else if (uncertain[i] ||
-                 std::abs(1.0 - sums[i]) > exact_closure)  // else: no ray where nothing blocks
+                 std::abs(1.0 - sums[i]) > sums_to_one)  // else: no ray where nothing blocks
             outside[i] = engine.outside(static_cast<PatchIndex>(i));
     });
     set_outside(matrix, outside, make_clusters(scene, mesh, find_plane_groups(scene)), sums);

@@ -13,7 +13,7 @@ namespace patchlight {
 namespace {
 
 /// As a share of the patch's edge: what is nearer is not seen.
-constexpr double nearest_seen = 1e-6;
+constexpr double near_depth_share = 1e-6;
 
 HemicubePose pose_at_centre(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
                             PatchIndex i) {
@@ -26,7 +26,7 @@ HemicubePose pose_at_centre(const Scene& scene, const PatchMesh& mesh, const Ray
     const Vec3 edge = mesh.vertices[patch.vertices[1]] - mesh.vertices[patch.vertices[0]];
     pose.bitangent = pose.normal.cross(edge).normalized();
     pose.tangent = pose.bitangent.cross(pose.normal);
-    pose.near_depth = nearest_seen * std::sqrt(patch.area) * rays.scale();
+    pose.near_depth = near_depth_share * std::sqrt(patch.area) * rays.scale();
     return pose;
 }
 

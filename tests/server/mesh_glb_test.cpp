@@ -92,14 +92,19 @@ TEST(MeshGlb, ColoursAreLinearAndThoseOfThePicture) {
     EXPECT_EQ(glb.document["asset"]["extras"]["exposure"], exposure);
 }
 
-TEST(MeshGlb, ASceneThatStandsAlongZIsTurnedUpright) {
+TEST(MeshGlb, ASceneThatStandsAlongAnyAxisIsTurnedUpright) {
     EXPECT_FALSE(box_mesh().document["nodes"][0].contains("rotation"));
-    Job job = box().job;
-    job.cameras[0].camera.up = Vec3(0.1, 0, 1);
-    const GlbReader glb(mesh_glb(job, box().solution, exposure));
-    const auto q = glb.document["nodes"][0]["rotation"].get<std::vector<double>>();
-    const Eigen::Quaterniond turn(q.at(3), q.at(0), q.at(1), q.at(2));
-    EXPECT_LT((turn * Vec3::UnitZ() - Vec3::UnitY()).norm(), 1e-12);
+    for (const Vec3& up : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1),
+                           Vec3(0, 0, -1), Vec3(0.1, 0, 1)}) {
+        Job job = box().job;
+        job.cameras[0].camera.up = up;
+        const GlbReader glb(mesh_glb(job, box().solution, exposure));
+        const auto q = glb.document["nodes"][0]["rotation"].get<std::vector<double>>();
+        const Eigen::Quaterniond turn(q.at(3), q.at(0), q.at(1), q.at(2));
+        const Vec3 nearest_axis = up.array().round();
+        EXPECT_LT((turn * nearest_axis - Vec3::UnitY()).norm(), 1e-12) << up.transpose();
+        EXPECT_NEAR(turn.norm(), 1.0, 1e-12);  // twelve digits: sines of 45 degrees, rounded
+    }
 }
 
 TEST(MeshGlb, NothingShownIsStillAFile) {
