@@ -8,6 +8,7 @@
 #include "solver/findings/leaks.h"
 #include "solver/findings/merge.h"
 #include "solver/findings/openings.h"
+#include "solver/findings/overlaps.h"
 #include "solver/findings/singularity.h"
 #include "solver/findings/slivers.h"
 #include "solver/findings/small_emitters.h"

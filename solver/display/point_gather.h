@@ -16,6 +16,7 @@ struct GatherPoint {
     Vec3 position = Vec3::Zero();              // [m]
     Vec3 normal = Vec3::UnitZ();               // unit
     RayPoint origin;                           // where its rays start, above what it touches
+    FrameIndex frame = 0;                      // of `origin`
     const std::vector<bool>* clear = nullptr;  // per source: nothing can stand between; or unknown
 };
 
@@ -31,7 +32,8 @@ class PointGather {
     PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples);
 
     const std::vector<LightSource>& sources() const { return sources_; }
-    GatherPoint at(const Vec3& position, const Vec3& normal, float lift) const;
+    /// `lift` above a point of that frame.
+    GatherPoint at(const Vec3& position, const Vec3& normal, float lift, FrameIndex frame) const;
 
     struct Direct {
         Rgb irradiance = Rgb::Zero();  // [W/m²]
