@@ -122,7 +122,7 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
         return solution;
     }
     const RayScene rays(scene, lines.overlaps);
-    solution.findings = find_flaws(scene, lines.overlaps, rays, solution.settings);
+    solution.findings = find_flaws(scene, lines.overlaps, rays, solution.settings, go_on);
     solution.seconds.mesh = watch.lap();
     const SolveStage stage{scene, rays, watch, solution};
     if (solution.settings.accuracy) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace patchlight {
@@ -38,14 +37,22 @@ struct OverlapSearch {
                            [&](const Vec3& p) { return among(p, others); });
     }
 
-    std::optional<Finding> finding(SurfaceIndex cover, SurfaceIndex covered) const {
+    bool is_whole(SurfaceIndex covered) const {
+        return !(seen_of_object[scene.surfaces[covered].object] > 0.0);
+    }
+    bool gives_light(SurfaceIndex covered) const {
+        return (scene.materials[scene.surfaces[covered].material].exitance > 0.0).any();
+    }
+    bool is_told(SurfaceIndex cover, SurfaceIndex covered) const {
+        return is_whole(covered) || gives_light(covered) || is_given_twice(cover, covered);
+    }
+
+    Finding finding(SurfaceIndex cover, SurfaceIndex covered) const {
         const Surface &above = scene.surfaces[cover], &below = scene.surfaces[covered];
         const std::string &top = scene.objects[above.object].name,
                           &bottom = scene.objects[below.object].name;
         const bool same = top == bottom, twice = is_given_twice(cover, covered),
-                   emits = (scene.materials[below.material].exitance > 0.0).any(),
-                   whole = !(seen_of_object[below.object] > 0.0);
-        if (!twice && !emits && !whole) return std::nullopt;
+                   emits = gives_light(covered), whole = is_whole(covered);
         const Surface& smaller = above.area < below.area ? above : below;
         const std::string place = place_text(centroid(smaller.corners, smaller.normal),
                                              tolerance.frame(covered).size());
@@ -82,15 +89,13 @@ std::vector<Finding> overlap_findings(const Scene& scene, const CoplanarOverlaps
     std::vector<Finding> findings;
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
         for (const SurfaceIndex cover : overlaps.covered_by[s]) {
-            const std::pair objects(scene.surfaces[cover].object, scene.surfaces[s].object);
-            if (const auto known = number_of.find(objects); known != number_of.end()) {
-                if (search.finding(cover, s)) ++findings[known->second].count;
-                continue;
-            }
-            std::optional<Finding> finding = search.finding(cover, s);
-            if (!finding) continue;
-            number_of.emplace(objects, findings.size());
-            findings.push_back(std::move(*finding));
+            if (!search.is_told(cover, s)) continue;
+            const auto [known, is_new] = number_of.emplace(
+                std::pair(scene.surfaces[cover].object, scene.surfaces[s].object), findings.size());
+            if (is_new)
+                findings.push_back(search.finding(cover, s));
+            else
+                ++findings[known->second].count;
         }
     return findings;
 }

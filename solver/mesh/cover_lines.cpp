@@ -51,6 +51,27 @@ Interval inside(const Part& part, const Vec2& a, const Vec2& b, double reach) {
     return in;
 }
 
+/// Where a segment is within an outline.
+std::vector<Interval> within(const std::vector<Vec2>& outline, const Vec2& a, const Vec2& b) {
+    std::vector<double> places{0.0, 1.0};
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vec2 &p = outline[k], &q = outline[(k + 1) % outline.size()];
+        const double at_a = turn(p, q, a), at_b = turn(p, q, b);
+        if ((at_a > 0.0) != (at_b > 0.0)) places.push_back(at_a / (at_a - at_b));
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<Interval> in;
+    for (std::size_t k = 1; k < places.size(); ++k) {
+        const double from = places[k - 1], to = places[k];
+        if (!(from < to) || !contains(outline, a + 0.5 * (from + to) * (b - a))) continue;
+        if (!in.empty() && in.back()[1] == from)
+            in.back()[1] = to;
+        else
+            in.push_back({from, to});
+    }
+    return in;
+}
+
 void take_out(std::vector<Interval>& left, const Interval& out) {
     if (!(out[0] < out[1])) return;
     std::vector<Interval> rest;
@@ -84,6 +105,8 @@ std::vector<Segment> cover_lines(const Scene& scene, SurfaceIndex s,
         for (const Vec3& p : scene.surfaces[covers[k]].corners) outline.push_back(frame.flat(p));
         add_parts(std::move(outline), k, parts);
     }
+    std::vector<Vec2> own;
+    for (const Vec3& p : scene.surfaces[s].corners) own.push_back(frame.flat(p));
     std::vector<Segment> lines;
     for (std::size_t k = 0; k < covers.size(); ++k) {
         const std::vector<Vec3>& corners = scene.surfaces[covers[k]].corners;
@@ -91,7 +114,7 @@ std::vector<Segment> cover_lines(const Scene& scene, SurfaceIndex s,
             const Vec3 &p = corners[c], &q = corners[(c + 1) % corners.size()];
             const Vec2 a = frame.flat(p), b = frame.flat(q);
             Eigen::AlignedBox2d box(a.cwiseMin(b), a.cwiseMax(b));
-            std::vector<Interval> left{{0.0, 1.0}};
+            std::vector<Interval> left = within(own, a, b);
             for (const Part& part : parts)
                 if (part.cover != k && !left.empty() && part.box.intersects(box))
                     take_out(left, inside(part, a, b, reach));

@@ -145,11 +145,12 @@ void EdgeDivisions::count_parts(const Scene& scene, double patch_size) {
             if (gridded_[s]) {
                 const std::uint32_t u = chords.root(edges_[first]),
                                     v = chords.root(edges_[first + 1]);
-                const double coarseness = scene.surfaces[s].coarseness;
+                const double coarseness = std::max(1.0, scene.surfaces[s].coarseness);
                 raise(u, coarseness * longest[v] / parts[v]);
                 raise(v, coarseness * longest[u] / parts[u]);
             } else {
-                const double width = scene.surfaces[s].coarseness * width_of(scene.surfaces[s]);
+                const double width =
+                    std::max(1.0, scene.surfaces[s].coarseness) * width_of(scene.surfaces[s]);
                 for (std::size_t k = 0; k < n; ++k) raise(chords.root(edges_[first + k]), width);
             }
         }
