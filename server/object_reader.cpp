@@ -45,7 +45,7 @@ void ObjectReader::read_body(const JsonValue& body, Heritage own) {
     read_content(body, own);
     const auto flux = body.find("flux");
     const bool is_complete = faults_.size() == faults_before && instancing_ == Instancing::place;
-    if (flux && is_complete) sources_.lamps.spread(*flux, own.path, first);
+    if (flux && is_complete) sources_.lamps.ask(*flux, own.path, first);
 }
 
 void ObjectReader::read_children(const JsonValue& list, const Heritage& parent) {

@@ -66,6 +66,7 @@ void read_objects(const JsonValue& document, double metres, const Directory& dir
                               std::to_string(PolygonCount::most) + " polygons, the limit");
             reader.read_object(object, k, root);
         });
+    if (faults.size() == 0) lamps.spread_all(faults);
     check_unused(reader.used_definitions(), definitions, declared, directory, faults);
     if (faults.size() == 0 && scene.surfaces.empty())
         list.reject("no polygon of the scene has an area");

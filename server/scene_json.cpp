@@ -9,6 +9,8 @@
 #include "server/sensors_json.h"
 #include "server/solve_json.h"
 
+#include "solver/scene/far_reaching.h"
+
 namespace patchlight::server {
 namespace {
 
@@ -59,6 +61,7 @@ Job read_scene(const nlohmann::json& document, const SceneSource& source) {
             [&] { read_objects(root, job.units.metres, source.directory, job.scene, faults); });
     faults.attempt([&] { root.at("version"); });
     faults.throw_if_any();
+    settle_far_geometry(job.scene);
     constexpr int edge = 512;  // [pixels]
     if (job.cameras.empty()) job.cameras.push_back(framing_camera(job.scene, edge, edge));
     return job;

@@ -1,6 +1,7 @@
 #include "server/scene_results.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace patchlight::server {
@@ -43,6 +44,9 @@ Json materials_block(const Scene& scene) {
 }
 
 Json object_results(const Scene& scene, const Solution& solution) {
+    std::vector<double> given(scene.objects.size(), 0.0);
+    for (const Surface& surface : scene.surfaces) given[surface.object] += surface.area;
+    constexpr double same = 1e-9;  // of the area: rounding of a mesh [1]
     Json list = Json::array();
     for (std::size_t k = 0; k < solution.objects.size(); ++k) {
         const ObjectReport& object = solution.objects[k];
@@ -53,6 +57,7 @@ Json object_results(const Scene& scene, const Solution& solution) {
                         {"emitted", channels(object.emitted)},
                         {"min", channels(object.min)},
                         {"max", channels(object.max)}});
+        if (std::abs(object.area - given[k]) > same * given[k]) list.back()["area_given"] = given[k];
     }
     return list;
 }

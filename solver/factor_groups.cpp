@@ -63,7 +63,7 @@ FactorGroups make_factor_groups(const Scene& scene, const PatchMesh& mesh, Group
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         const std::uint32_t g = patches ? i : surfaces.of_surface[mesh.patches[i].surface];
         groups.of_patch.push_back(g);
-        groups.areas[g] += mesh.patches[i].area;
+        if (!mesh.patches[i].covered) groups.areas[g] += mesh.patches[i].area;
         groups.patches[g].push_back(i);
     }
     return groups;

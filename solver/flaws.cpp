@@ -8,6 +8,7 @@
 #include "solver/findings/leaks.h"
 #include "solver/findings/merge.h"
 #include "solver/findings/openings.h"
+#include "solver/findings/overlaps.h"
 #include "solver/findings/singularity.h"
 #include "solver/findings/slivers.h"
 #include "solver/findings/small_emitters.h"
@@ -69,18 +70,24 @@ std::vector<Slit> slits_of(const SurfaceEdges& edges, const std::vector<Leak>& l
     return slits;
 }
 
-std::vector<Finding> shape_findings(const FlawSearch& search) {
+std::vector<Finding> shape_findings(const FlawSearch& search, const std::function<bool()>& go_on) {
+    const auto stopped = [&] { return go_on && !go_on(); };
+    std::vector<Finding> findings;
+    if (stopped()) return findings;
     const SurfaceTree tree(search.scene);
     const SurfaceEdges edges = find_surface_edges(search.scene);
     const std::vector<Crack> cracks = find_cracks(search, edges);
+    if (stopped()) return findings;
     const Assemblies assemblies = find_assemblies(search.scene, tree);
+    if (stopped()) return findings;
     std::vector<Leak> leaks = find_leaks(search, find_gaps(search, edges, tree, cracks));
+    if (stopped()) return findings;
     std::vector<Floating> floating = find_floating(search, assemblies, tree);
     const std::vector<Finding> openings = find_openings(search, slits_of(edges, leaks, cracks));
     settle(assemblies, leaks, floating);
-    std::vector<Finding> findings = leak_findings(search, leaks);
+    findings = leak_findings(search, leaks);
     append(findings, openings);
-    append(findings, find_flipped(search));
+    if (!stopped()) append(findings, find_flipped(search));
     append(findings, floating_findings(search, floating));
     append(findings, crack_findings(search, edges, cracks));
     append(findings, find_slivers(search));
@@ -90,18 +97,22 @@ std::vector<Finding> shape_findings(const FlawSearch& search) {
 }  // namespace
 
 std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
-                                         const RayScene& rays, std::uint64_t seed) {
+                                         const RayScene& rays, std::uint64_t seed,
+                                         const std::function<bool()>& go_on) {
     std::vector<Finding> findings = scene.findings;
     append(findings, overlap_findings(scene, overlaps));
-    append(findings, shape_findings(FlawSearch{scene, overlaps, rays, seed}));
+    append(findings, shape_findings(FlawSearch{scene, overlaps, rays, seed}, go_on));
     return merge_alike(std::move(findings));
 }
 
 std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
-                                const RayScene& rays, const SolveSettings& planned) {
-    std::vector<Finding> findings = find_geometry_flaws(scene, overlaps, rays, planned.seed);
-    const FlawSearch search{scene, overlaps, rays, planned.seed};
+                                const RayScene& rays, const SolveSettings& planned,
+                                const std::function<bool()>& go_on) {
+    std::vector<Finding> findings =
+        find_geometry_flaws(scene, overlaps, rays, planned.seed, go_on);
     append(findings, emitter_findings(scene));
+    if (go_on && !go_on()) return findings;
+    const FlawSearch search{scene, overlaps, rays, planned.seed};
     append(findings, find_small_emitters(search, planned));
     append(findings, find_singularity(search));
     return findings;

@@ -5,18 +5,22 @@
 #include "solver/scene/scene.h"
 #include "solver/settings.h"
 
+#include <functional>
 #include <vector>
 
 namespace patchlight {
 
 /// What the author of the scene should know, before anything is solved. `planned`: with every
-/// choice made. The scene has surfaces.
+/// choice made. The scene has surfaces. `go_on` is asked before each search; after a false the
+/// others are left out.
 std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
-                                const RayScene& rays, const SolveSettings& planned);
+                                const RayScene& rays, const SolveSettings& planned,
+                                const std::function<bool()>& go_on = {});
 
 /// The same of its geometry alone: what surfaces reflect and how it is solved does not matter to
 /// form factors.
 std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
-                                         const RayScene& rays, std::uint64_t seed);
+                                         const RayScene& rays, std::uint64_t seed,
+                                         const std::function<bool()>& go_on = {});
 
 }  // namespace patchlight

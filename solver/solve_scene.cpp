@@ -55,13 +55,30 @@ void refuse_impossible(const std::vector<Material>& materials) {
     }
 }
 
-void cut_patches(const Scene& scene, const MeshLines& lines, Solution& solution) {
+/// As often as `go_on` is asked, patches are counted: creases make more than were foretold.
+void cut_patches(const Scene& scene, const MeshLines& lines, const std::function<bool()>& go_on,
+                 Solution& solution) {
     const SolveSettings& settings = solution.settings;
     check_memory(scene, estimate_patch_count(scene, *settings.patch_size), settings);
-    solution.mesh = make_patches(scene, lines, *settings.patch_size);
+    solution.mesh =
+        make_patches(scene, lines, *settings.patch_size, [&](std::size_t patches_so_far) {
+            check_memory(scene, patches_so_far, settings);
+            return go_on();
+        });
     check_memory(scene, solution.mesh.size(), settings);
     solution.radiosity = exitances(scene, solution.mesh);
     solution.irradiance.assign(solution.mesh.size(), Rgb::Zero());
+}
+
+/// What there is where the work ended before there were patches: polygons as they are given.
+void show_lamps_alone(const Scene& scene, Solution& solution) {
+    constexpr double uncut = 10.0;  // of the scene's size
+    solution.mesh = make_patches(scene, no_lines(scene), uncut * scene_size(scene));
+    solution.radiosity = exitances(scene, solution.mesh);
+    solution.irradiance.assign(solution.mesh.size(), Rgb::Zero());
+    solution.display = make_display(scene, solution.mesh, solution.radiosity,
+                                    std::vector<double>(solution.mesh.size(), 0.0));
+    solution.objects = measure_objects(scene, solution);
 }
 
 /// Some time for it there is even if the work was to end before: few sensors take less.
@@ -91,10 +108,21 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     Solution solution;
     solution.settings = plan.settings;
     solution.why = std::move(plan.why);
-    const MeshLines lines = find_mesh_lines(scene);
-    cut_patches(scene, lines, solution);
+    StopReason stopped = StopReason::tolerance;
+    const auto go_on = [&] {
+        stopped = stopped == StopReason::tolerance ? watch.step({Stage::mesh}) : stopped;
+        return stopped == StopReason::tolerance;
+    };
+    const MeshLines lines = find_mesh_lines(scene, go_on);
+    if (stopped == StopReason::tolerance) cut_patches(scene, lines, go_on, solution);
+    if (stopped != StopReason::tolerance) {
+        show_lamps_alone(scene, solution);
+        solution.status = status_of(stopped);
+        solution.seconds.mesh = watch.lap();
+        return solution;
+    }
     const RayScene rays(scene, lines.overlaps);
-    solution.findings = find_flaws(scene, lines.overlaps, rays, solution.settings);
+    solution.findings = find_flaws(scene, lines.overlaps, rays, solution.settings, go_on);
     solution.seconds.mesh = watch.lap();
     const SolveStage stage{scene, rays, watch, solution};
     if (solution.settings.accuracy) {

@@ -82,6 +82,7 @@ std::vector<ObjectReport> measure_objects(const Scene& scene, const Solution& so
     };
     for (PatchIndex i = 0; i < solution.mesh.size(); ++i) {
         const Patch& patch = solution.mesh.patches[i];
+        if (patch.covered) continue;
         ObjectReport& object = object_of(i);
         object.area += patch.area;
         object.radiosity += patch.area * solution.radiosity[i];
@@ -101,7 +102,7 @@ std::vector<ObjectReport> measure_objects(const Scene& scene, const Solution& so
             object.irradiance /= object.area;
         }
         if (!object.min.isFinite().all())
-            object.min = object.max = object.radiosity;  // wholly covered
+            object.min = object.max = object.radiosity;  // wholly covered: 0, as its area
     }
     return objects;
 }

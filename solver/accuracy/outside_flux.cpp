@@ -20,6 +20,7 @@ constexpr double inward = 1e-4;  // of the way to a triangle's centre, off the e
 
 struct Start {
     RayPoint origin, normal;
+    FrameIndex frame = 0;
     Rgb power = Rgb::Zero();  // that the ray carries, times the number of rays [W]
 };
 
@@ -60,7 +61,8 @@ class BrightPoints {
         const SurfaceIndex s = mesh_.patches[display_.patch[t]].surface;
         Start start;
         start.normal = scene_.surfaces[s].normal.cast<float>();
-        start.origin = rays_.to_ray_space(position + inward * (centre - position)) +
+        start.frame = rays_.frame(s);
+        start.origin = rays_.to_ray_space(position + inward * (centre - position), start.frame) +
                        rays_.lift(s) * start.normal;
         start.power = radiosity * (total_ / luminance(mean));
         return start;
@@ -104,6 +106,7 @@ struct Counter {
                 batch.ox[k] = start.origin.x(), batch.dx[k] = direction.x();
                 batch.oy[k] = start.origin.y(), batch.dy[k] = direction.y();
                 batch.oz[k] = start.origin.z(), batch.dz[k] = direction.z();
+                batch.frame[k] = start.frame;
                 power[k] = start.power;
             }
             rays.land(batch, ray_batch, landings);

@@ -218,6 +218,7 @@ class ApertureSearch {
 std::vector<Aperture> find_apertures(const Scene& scene, const RayScene& rays,
                                      const std::vector<LightSource>& sources, double area,
                                      std::uint64_t seed) {
+    if (rays.frames() > 1) return {};  // they are known in one frame alone
     return ApertureSearch(scene, rays, sources, area, seed).find();
 }
 

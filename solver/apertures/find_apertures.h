@@ -13,7 +13,7 @@ namespace patchlight {
 /// the edges of polygons are followed both ways: where one meets a source and on the other side a
 /// front, and lines beside it are blocked on both sides, there is a gap. `area`: of all fronts
 /// [m²]; gaps up to a hundredth of its root are looked for. Where some are found, more are looked
-/// for.
+/// for; none where geometry far away takes more than one frame.
 std::vector<Aperture> find_apertures(const Scene& scene, const RayScene& rays,
                                      const std::vector<LightSource>& sources, double area,
                                      std::uint64_t seed);

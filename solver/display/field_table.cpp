@@ -117,7 +117,7 @@ FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const 
         const Vec3 across = axes[i].e1.cross(axes[i].e2);
         const double side = rays.scale() / static_cast<double>(count[i]);
         areas_.push_back(across.norm() * side * side);
-        const RayPoint o = rays.to_ray_space(axes[i].origin),
+        const RayPoint o = rays.to_ray_space(axes[i].origin, rays.frame(mesh.patches[i].surface)),
                        u = (axes[i].u / rays.scale()).cast<float>(),
                        v = (axes[i].v / rays.scale()).cast<float>();
         frames_[i] = {o.x(), o.y(), o.z(), u.x(), u.y(),   u.z(),
@@ -145,7 +145,9 @@ void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3
     const Vec3& centroid = mesh_.patches[i].centre;
     for (std::size_t c = first_cell(i); c < end_cell(i); ++c) {
         const RayPoint middle = spot(i, c, 0.5f, 0.5f).position;
-        const Vec3 away = rays_.from_ray_space(middle.cast<double>()) - centroid;
+        const Vec3 away = rays_.from_ray_space(middle.cast<double>(),
+                                              rays_.frame(mesh_.patches[i].surface)) -
+                          centroid;
         const Rgb more = value + (slope * away).array();
         for (std::size_t k = 0; k < 3; ++k)
             cells_[c][k] = std::max(

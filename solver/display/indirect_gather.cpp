@@ -44,6 +44,7 @@ struct PointGather::Hemisphere {
         batch.ox.fill(point.origin.x());
         batch.oy.fill(point.origin.y());
         batch.oz.fill(point.origin.z());
+        batch.frame.fill(point.frame);
         LandingBatch landings;
         std::array<Lanes, 2> u;
         Sum total{};
@@ -64,7 +65,10 @@ struct PointGather::Hemisphere {
         float weight = 1.0f;
         if (ratio > 0.0f && seen.density > 0.0f) {
             const RayPoint direction(batch.dx[k], batch.dy[k], batch.dz[k]);
-            const float squared = std::max(tiny, (at - point.origin).squaredNorm());
+            const RayPoint shift =
+                gather.rays_.shift(gather.rays_.frame(landings.surface[k]), point.frame)
+                    .cast<float>();
+            const float squared = std::max(tiny, (at + shift - point.origin).squaredNorm());
             const float density =  // of rays, per area
                 std::max(0.0f, direction.dot(frame.normal)) *
                 std::max(0.0f, -direction.dot(field.normal(landings.surface[k]))) /
@@ -102,15 +106,15 @@ struct PointGather::Excess {
             const ReflectedField::Sample sample =
                 field.sample(gather.points_.at(0, at, seeds[0]), gather.points_.at(1, at, seeds[1]),
                              gather.points_.at(2, at, seeds[2]));
-            const RayPoint ray = sample.position - point.origin;
+            const RayPoint shift = gather.rays_.shift(sample.frame, point.frame).cast<float>();
+            const RayPoint ray = sample.position + shift - point.origin;
             const float squared = std::max(tiny, ray.squaredNorm());
-            const float density = std::max(0.0f, ray.dot(normal)) *
-                                  std::max(0.0f, -ray.dot(sample.normal)) /
-                                  (std::numbers::pi_v<float> * squared * squared);
+            const float density =
+                std::max(0.0f, ray.dot(normal)) / squared *
+                (std::max(0.0f, -ray.dot(sample.normal)) / (std::numbers::pi_v<float> * squared));
             if (!(density > 0.0f) || !sample.on_patch) continue;
-            batch.ox[filled] = point.origin.x(), batch.dx[filled] = ray.x();
-            batch.oy[filled] = point.origin.y(), batch.dy[filled] = ray.y();
-            batch.oz[filled] = point.origin.z(), batch.dz[filled] = ray.z();
+            RayScene::set_segment(batch, filled, point.origin, point.frame, ray, sample.position,
+                                  sample.frame);
             seen[filled] = sample.seen;
             weights[filled++] =
                 sample.seen.excess_share * density / (density + ratio * sample.seen.density);

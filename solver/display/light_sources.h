@@ -12,7 +12,7 @@ namespace patchlight {
 struct LightSource {
     ConvexPolygon polygon;  // [m]
     Vec3 normal = Vec3::UnitZ();
-    PatchSampler sampler;  // of its points, in ray space
+    PatchSampler sampler;  // of its points, in the frame of its surface
     float lift = 0.0f;     // that its points start above it [ray space]
     SurfaceIndex surface = 0;
     Rgb exitance = Rgb::Zero();  // [W/m²]

@@ -27,11 +27,13 @@ PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources,
     }
 }
 
-GatherPoint PointGather::at(const Vec3& position, const Vec3& normal, float lift) const {
+GatherPoint PointGather::at(const Vec3& position, const Vec3& normal, float lift,
+                            FrameIndex frame) const {
     GatherPoint point;
     point.position = position;
     point.normal = normal;
-    point.origin = rays_.to_ray_space(position) + lift * normal.cast<float>();
+    point.frame = frame;
+    point.origin = rays_.to_ray_space(position, frame) + lift * normal.cast<float>();
     return point;
 }
 
@@ -39,7 +41,8 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, st
                          int first, int end, Share& share) const {
     const std::array<std::uint32_t, 2> seeds{static_cast<std::uint32_t>(key),
                                              static_cast<std::uint32_t>(key >> 32)};
-    const RayPoint normal = point.normal.cast<float>();
+    const RayPoint normal = point.normal.cast<float>(),
+                   shift = rays_.shift(source.sampler.frame, point.frame).cast<float>();
     RayBatch batch;
     Lanes weights;
     int filled = 0;
@@ -56,16 +59,16 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, st
     };
     for (int n = first; n < end; ++n) {
         const auto at = static_cast<std::size_t>(n);
-        const RayPoint ray =
+        const RayPoint goal =
             source.sampler.at(points_.at(0, at, seeds[0]), points_.at(1, at, seeds[1])) +
-            source.lift * source.sampler.normal - point.origin;
+            source.lift * source.sampler.normal;
+        const RayPoint ray = goal + shift - point.origin;
         const float squared = std::max(tiny, ray.squaredNorm());
-        const float weight = std::max(0.0f, ray.dot(normal)) *
-                             std::max(0.0f, -ray.dot(source.sampler.normal)) / (squared * squared);
+        const float weight = std::max(0.0f, ray.dot(normal)) / squared *
+                             (std::max(0.0f, -ray.dot(source.sampler.normal)) / squared);
         if (!(weight > 0.0f)) continue;
-        batch.ox[filled] = point.origin.x(), batch.dx[filled] = ray.x();
-        batch.oy[filled] = point.origin.y(), batch.dy[filled] = ray.y();
-        batch.oz[filled] = point.origin.z(), batch.dz[filled] = ray.z();
+        RayScene::set_segment(batch, filled, point.origin, point.frame, ray, goal,
+                              source.sampler.frame);
         weights[filled++] = weight;
         if (filled == ray_batch) trace();
     }

@@ -17,6 +17,7 @@ struct GatherPoint {
     Vec3 position = Vec3::Zero();              // [m]
     Vec3 normal = Vec3::UnitZ();               // unit
     RayPoint origin;                           // where its rays start, above what it touches
+    FrameIndex frame = 0;                      // of `origin`
     const std::vector<bool>* clear = nullptr;  // per source: nothing can stand between; or unknown
 };
 
@@ -35,7 +36,8 @@ class PointGather {
 
     const std::vector<LightSource>& sources() const { return sources_; }
     const std::vector<Aperture>& apertures() const { return apertures_; }
-    GatherPoint at(const Vec3& position, const Vec3& normal, float lift) const;
+    /// `lift` above a point of that frame.
+    GatherPoint at(const Vec3& position, const Vec3& normal, float lift, FrameIndex frame) const;
 
     struct Direct {
         Rgb irradiance = Rgb::Zero();  // [W/m²]

@@ -80,6 +80,7 @@ ReflectedField::Sample ReflectedField::sample(float pick, float u, float v) cons
     const SurfaceIndex s = mesh_.patches[found.patch].surface;
     const FieldTable::Spot spot = table_.spot(found.patch, found.cell, u, v);
     sample.normal = normals_[s];
+    sample.frame = rays_.frame(s);
     sample.position = spot.position + rays_.lift(s) * sample.normal;
     sample.seen = seen(found.cell);
     sample.on_patch = spot.u + spot.v <= 1.0f || !mesh_.patches[found.patch].is_triangle();

@@ -36,6 +36,7 @@ class ReflectedField {
     struct Sample {
         RayPoint position;  // above its surface [ray space]
         RayPoint normal;
+        FrameIndex frame = 0;  // of `position`
         Seen seen;
         bool on_patch = true;  // false: beside a triangle; counts as unseen
     };

@@ -36,12 +36,14 @@ struct SensorView {
     const RayScene& ray_scene;
     const SobolPoints& points;
     RayPoint origin, normal;
+    FrameIndex frame;
 
     /// Samples [first, first + count) of one patch.
     void sample(Target& target, const PatchSampler& sampler, float lift, std::uint64_t key,
                 int first, int count) const {
         const std::array<std::uint32_t, 2> seeds{static_cast<std::uint32_t>(key),
                                                  static_cast<std::uint32_t>(key >> 32)};
+        const RayPoint shift = ray_scene.shift(sampler.frame, frame).cast<float>();
         RayBatch batch;
         std::array<float, ray_batch> weights;
         int filled = 0;
@@ -60,14 +62,12 @@ struct SensorView {
             const auto at = static_cast<std::size_t>(n);
             const RayPoint to = sampler.at(points.at(0, at, seeds[0]), points.at(1, at, seeds[1])) +
                                 lift * sampler.normal;
-            const RayPoint ray = to - origin;
+            const RayPoint ray = to + shift - origin;
             const float squared = ray.squaredNorm();
-            const float weight = std::max(0.0f, ray.dot(normal)) *
-                                 std::max(0.0f, -ray.dot(sampler.normal)) / (squared * squared);
+            const float weight = std::max(0.0f, ray.dot(normal)) / squared *
+                                 (std::max(0.0f, -ray.dot(sampler.normal)) / squared);
             if (!(weight > 0.0f)) continue;
-            batch.ox[filled] = origin.x(), batch.oy[filled] = origin.y(),
-            batch.oz[filled] = origin.z();
-            batch.dx[filled] = ray.x(), batch.dy[filled] = ray.y(), batch.dz[filled] = ray.z();
+            RayScene::set_segment(batch, filled, origin, frame, ray, to, sampler.frame);
             weights[filled++] = weight;
             if (filled == ray_batch) trace();
         }
@@ -143,9 +143,10 @@ std::vector<SensorReport> gather_at_sensors(const Scene& scene, const PatchMesh&
     const SobolPoints points(most_samples);
     const auto report = [&](std::size_t s) {
         const Sensor& sensor = scene.sensors[s];
-        SensorView view{sensor, ray_scene, points, {}, sensor.normal.cast<float>()};
-        view.origin = ray_scene.to_ray_space(sensor.position) +
-                      off_contact * ray_scene.contact() * view.normal;
+        const FrameIndex frame = ray_scene.frame_at(sensor.position);
+        SensorView view{sensor, ray_scene, points, {}, sensor.normal.cast<float>(), frame};
+        view.origin = ray_scene.to_ray_space(sensor.position, frame) +
+                      off_contact * ray_scene.contact(frame) * view.normal;
         reports[s] = gather(scene, mesh, patches, view, radiosity, mix(seed, 0x73656e73 + s));
     };
     for (std::size_t first = 0; first < reports.size(); first += sensors_at_a_time) {

@@ -1,5 +1,7 @@
 #include "solver/findings/assemblies.h"
 
+#include "solver/scene/local_tolerance.h"
+
 #include <Eigen/Geometry>
 
 #include <oneapi/tbb/parallel_for.h>
@@ -58,14 +60,14 @@ class UnionFind {
 
 namespace {
 
-/// For each surface the earlier ones whose boxes come within `reach` of its own.
+/// For each surface the earlier ones whose boxes come within reach of its own.
 std::vector<std::vector<SurfaceIndex>> near_ones(const Scene& scene, const SurfaceTree& tree,
-                                                 double reach) {
-    const Vec3 margin = Vec3::Constant(reach);
+                                                 const LocalTolerance& tolerance) {
     std::vector<std::vector<SurfaceIndex>> near(scene.surfaces.size());
     tbb::parallel_for(std::size_t{0}, near.size(), [&](std::size_t number) {
         const auto s = static_cast<SurfaceIndex>(number);
         if (scene.surfaces[s].side == Side::back) return;
+        const Vec3 margin = Vec3::Constant(2.0 * tolerance.at(s));
         const Box& box = tree.box(s);
         near[s] = tree.over(Box(box.min() - margin, box.max() + margin));
         std::erase_if(near[s], [&](SurfaceIndex other) { return other >= s; });
@@ -74,7 +76,7 @@ std::vector<std::vector<SurfaceIndex>> near_ones(const Scene& scene, const Surfa
 }
 
 /// The first surface of each object that is a flat sheet.
-std::vector<SurfaceIndex> flat_sheets(const Scene& scene, double reach) {
+std::vector<SurfaceIndex> flat_sheets(const Scene& scene, const LocalTolerance& tolerance) {
     std::vector<std::optional<SurfaceIndex>> first(scene.objects.size());
     std::vector<bool> flat(scene.objects.size(), true);
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
@@ -82,7 +84,8 @@ std::vector<SurfaceIndex> flat_sheets(const Scene& scene, double reach) {
         if (!first[surface.object]) first[surface.object] = s;
         const Surface& sheet = scene.surfaces[*first[surface.object]];
         for (const Vec3& p : surface.corners)
-            if (std::abs((p - sheet.corners[0]).dot(sheet.normal)) > reach)
+            if (std::abs((p - sheet.corners[0]).dot(sheet.normal)) >
+                tolerance.between(*first[surface.object], s))
                 flat[surface.object] = false;
     }
     std::vector<SurfaceIndex> sheets;
@@ -92,8 +95,9 @@ std::vector<SurfaceIndex> flat_sheets(const Scene& scene, double reach) {
 }
 
 /// Joins flat sheets to what they lie along.
-void attach_sheets(const Scene& scene, const SurfaceTree& tree, double contact, UnionFind& sets) {
-    for (const SurfaceIndex s : flat_sheets(scene, contact)) {
+void attach_sheets(const Scene& scene, const SurfaceTree& tree, const LocalTolerance& tolerance,
+                   UnionFind& sets) {
+    for (const SurfaceIndex s : flat_sheets(scene, tolerance)) {
         const Surface& sheet = scene.surfaces[s];
         const double reach = sheet_distance * tree.box(s).diagonal().norm();
         for (const Vec3& p : sheet.corners)
@@ -114,8 +118,8 @@ bool touch(const Surface& a, const Surface& b, double reach) {
 }
 
 Assemblies find_assemblies(const Scene& scene, const SurfaceTree& tree) {
-    const double reach = contact_distance(scene);
-    const std::vector<std::vector<SurfaceIndex>> neighbours = near_ones(scene, tree, reach);
+    const LocalTolerance tolerance(scene);
+    const std::vector<std::vector<SurfaceIndex>> neighbours = near_ones(scene, tree, tolerance);
     UnionFind sets(scene.surfaces.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         if (scene.surfaces[s].side == Side::back) {
@@ -124,10 +128,10 @@ Assemblies find_assemblies(const Scene& scene, const SurfaceTree& tree) {
         }
         for (const SurfaceIndex other : neighbours[s])
             if (sets.find(other) != sets.find(s) &&
-                touch(scene.surfaces[s], scene.surfaces[other], reach))
+                touch(scene.surfaces[s], scene.surfaces[other], tolerance.between(s, other)))
                 sets.join(s, other);
     }
-    attach_sheets(scene, tree, reach, sets);
+    attach_sheets(scene, tree, tolerance, sets);
     Assemblies assemblies{std::vector<std::uint32_t>(scene.surfaces.size()), {}};
     std::vector<std::uint32_t> number(scene.surfaces.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {

@@ -78,10 +78,10 @@ std::optional<Crack> FreeEdges::beside(std::size_t edge, double reach) const {
 
 std::vector<Crack> find_cracks(const FlawSearch& search, const SurfaceEdges& edges) {
     const FreeEdges free_edges(edges);
-    const double contact = contact_distance(search.scene);
     std::vector<Crack> cracks;
     for (std::size_t e = 0; e < edges.edges.size(); ++e) {
-        const double reach = widest * edges.length(edges.edges[e]);
+        const double reach = widest * edges.length(edges.edges[e]),
+                     contact = search.contact(edges.edges[e].surfaces[0]);
         if (!edges.edges[e].is_free() || reach <= contact) continue;
         const std::optional<Crack> crack = free_edges.beside(e, reach);
         if (crack && crack->width > contact) cracks.push_back(*crack);
@@ -107,7 +107,7 @@ std::vector<Finding> crack_findings(const FlawSearch& search, const SurfaceEdges
         Finding finding{"t-vertex", {vertex}, "", "", count};
         if (edge != vertex) finding.objects.push_back(edge);
         finding.detail = "a vertex of " + quoted(vertex) + " at " +
-                         place_text(crack.place, search.size) + " is " + length_text(crack.width) +
+                         place_text(crack.place, search.size(edges.edges[crack.edge].surfaces[0])) + " is " + length_text(crack.width) +
                          " off the edge of " + (edge == vertex ? "its neighbour" : quoted(edge)) +
                          " that it stands beside: light passes the crack, and shading breaks there";
         finding.remedy = "give the edge a corner at that vertex, or move the vertex onto the edge";

@@ -9,7 +9,7 @@
 namespace patchlight {
 
 /// A free edge beside which other free edges run from end to end without lying on it: a vertex of
-/// theirs is off the edge by more than the contact distance, and less than a hundredth of its
+/// theirs is off the edge by more than the local tolerance, and less than a hundredth of its
 /// length. A T-vertex that lies on the edge is none: rays and patches meet there without a gap.
 struct Crack {
     std::size_t edge = 0;               // number in SurfaceEdges

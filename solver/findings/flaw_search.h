@@ -15,7 +15,14 @@ struct FlawSearch {
     const RayScene& rays;
     std::uint64_t seed = 1;
 
-    double size = scene_size(scene);  // [m]
+    LocalTolerance tolerance{scene};
+    /// Of what surrounds surface s: its frame [m].
+    double size(SurfaceIndex s) const { return tolerance.frame(s).size(); }
+    double size_at(const Vec3& p) const {
+        return tolerance.frames()[tolerance.frame_at(p)].size();
+    }
+    /// What an edge of surface s may be off and still touch [m].
+    double contact(SurfaceIndex s) const { return tolerance.at_point(tolerance.frame_of(s)); }
     const std::string& object_of(SurfaceIndex s) const {
         return scene.objects[scene.surfaces[s].object].name;
     }

@@ -24,8 +24,8 @@ constexpr double sees_nothing = 0.02;         // of a front's view that is front
 constexpr double gets_light = 0.25;           // of a back's view that sends light, at least [1]
 constexpr int lamp_flights = 8;               // after which light has found its way round a room
 constexpr std::size_t most_partners = 256;
-constexpr double contact_share = 1e-6;   // of the scene's size: in one plane [1]
-constexpr std::size_t lamp_walks = 32;   // that look for a lamp, from each side of a surface
+constexpr double off_contact = 1.5;      // of the local tolerance: in one plane [1]
+constexpr std::size_t lamp_walks = 32;        // that look for a lamp, from each side of a surface
 constexpr std::size_t most_judged = 64;  // surfaces of an object whose two sides both see fronts
 constexpr double darker = 0.1;           // of the walks from the back: reach a lamp from the front
 
@@ -39,10 +39,10 @@ struct Views {
 /// many are left alone.
 bool is_hidden(const FlawSearch& search, SurfaceIndex s, const Vec3& p) {
     const std::vector<SurfaceIndex>& partners = search.overlaps.partners[s];
-    const double reach = 1.5 * contact_share * search.size;
     return partners.size() > most_partners ||
            std::any_of(partners.begin(), partners.end(), [&](SurfaceIndex other) {
-               return (nearest_point(search.scene.surfaces[other], p) - p).norm() <= reach;
+               return (nearest_point(search.scene.surfaces[other], p) - p).norm() <=
+                      off_contact * search.tolerance.between(s, other);
            });
 }
 
@@ -140,7 +140,7 @@ double FlippedSearch::lit_share(SurfaceIndex s, Side side, int last_flight) cons
             if (flight > 0)
                 normals[k] = search_.scene.surfaces[walker.surface].normal.cast<float>();
             lit[k] = (flight > 0 && light_.gives_light(walker.surface)) ||
-                     light_.sees_lamp(walker.origin, normals[k], walker.seed);
+                     light_.sees_lamp(walker.origin, walker.frame, normals[k], walker.seed);
         }
         fly(search_.rays, walkers);
         turn(search_, walkers);
@@ -183,7 +183,7 @@ Finding FlippedSearch::finding_of(std::span<const SurfaceIndex> flipped) const {
         {name},
         "light comes to the back of " + quoted(name) +
             ", which absorbs it, and its front sees none: near " +
-            place_text(centroid(surface.corners, surface.normal), search_.size),
+            place_text(centroid(surface.corners, surface.normal), search_.size(largest)),
         "turn the polygon round (corners run counter-clockwise as seen from the front), or make "
         "its material `two_sided`",
         flipped.size()};

@@ -18,7 +18,7 @@ namespace patchlight {
 namespace {
 
 constexpr double near = 0.01;         // of the body's size: nearer looks as if it touched [1]
-constexpr double largest = 0.5;       // of the scene's size, that a body is [1]
+constexpr double largest = 0.5;       // of the size of what is around, that a body is [1]
 constexpr double thinnest = 0.02;     // of a body's size: thinner is a sheet [1]
 constexpr std::size_t views = 32;     // along a gap
 constexpr double thickest_gap = 0.1;  // of the body's thickness [1]
@@ -67,7 +67,8 @@ bool is_reached_by_light(const FlawSearch& search, const Floating& one) {
     std::vector<Walker> walkers(views);
     for (std::size_t k = 0; k < views; ++k) {
         const double angle = 2.0 * std::numbers::pi * (static_cast<double>(k) + 0.5) / views;
-        walkers[k].origin = search.rays.to_ray_space(around.origin);
+        walkers[k].frame = search.rays.frame(one.support);
+        walkers[k].origin = search.rays.to_ray_space(around.origin, walkers[k].frame);
         walkers[k].direction =
             (std::cos(angle) * around.u + std::sin(angle) * around.v).cast<float>();
     }
@@ -81,7 +82,7 @@ std::optional<Floating> nearest_support(const FlawSearch& search, const Assembli
                                         const SurfaceTree& tree, std::uint32_t number) {
     const std::vector<SurfaceIndex>& body = assemblies.members[number];
     const double size = box_of(tree, body).diagonal().norm();
-    if (size > largest * search.size) return std::nullopt;
+    if (size > largest * search.size(body[0])) return std::nullopt;
     std::optional<Floating> nearest;
     double reach = near * size;
     for (const SurfaceIndex s : body)
@@ -133,7 +134,7 @@ std::vector<Finding> floating_findings(const FlawSearch& search,
                             "a part of " + quoted(body) + " that touches nothing is " +
                                 length_text(one.distance) + " off " +
                                 (body == support ? "the rest of it" : quoted(support)) + " at " +
-                                place_text(one.place, search.size) + ": light gets underneath",
+                                place_text(one.place, search.size(one.body)) + ": light gets underneath",
                             "move it until it touches, or farther away",
                             1});
         if (body != support) findings.back().objects.push_back(support);

@@ -11,7 +11,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr double widest_gap = 1e-2;          // of the scene's size [1]
+constexpr double widest_gap = 1e-2;              // of the size of what is around [1]
 constexpr double widest_for_edge = 0.2;      // of the edge's length [1]
 constexpr double crease = 0.866;             // cosine between normals, at most
 constexpr double clear = 0.35;               // of its width that is empty round its middle [1]
@@ -70,13 +70,14 @@ std::optional<Gap> gap_at(const SurfaceTree& tree, const SurfaceEdge& edge, cons
 
 std::vector<Gap> find_gaps(const FlawSearch& search, const SurfaceEdges& edges,
                            const SurfaceTree& tree, std::span<const Crack> cracks) {
-    const double contact = contact_distance(search.scene), size = search.size;
     const std::vector<std::size_t> open = open_edges(search, edges, cracks);
     std::vector<std::optional<Gap>> widest_of(open.size());
     tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
         const SurfaceEdge& edge = edges.edges[open[k]];
         const double length = edges.length(edge);
-        const double reach = std::min(widest_gap * size, widest_for_edge * length);
+        const double contact = search.contact(edge.surfaces[0]);
+        const double reach =
+            std::min(widest_gap * search.size(edge.surfaces[0]), widest_for_edge * length);
         if (reach <= contact) return;
         for (const double t : places) {
             auto gap = gap_at(tree, edge, edges.at(edge, t), contact, reach);

@@ -20,7 +20,7 @@ struct Gap {
     double width = 0.0;           // [m]
 };
 
-/// Gaps wider than the contact distance (1e-6 of the scene's size) and no wider than 1e-2 of that
+/// Gaps wider than 1e-6 of the size of what is around (a frame) and no wider than 1e-2 of that
 /// size, nor a fifth of the edge's length: beside free edges, and beside creases of more than 30
 /// degrees. Cracks at T-vertices are left out.
 std::vector<Gap> find_gaps(const FlawSearch& search, const SurfaceEdges& edges,

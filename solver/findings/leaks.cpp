@@ -49,7 +49,8 @@ std::vector<Walker> fan_out(const FlawSearch& search, const Gap& gap, double sig
         const double u =
             (static_cast<double>(k) + uniform_of(mix(seed, k))) / static_cast<double>(rays);
         const double angle = fan * (2.0 * u - 1.0);
-        walkers[k].origin = search.rays.to_ray_space(gap.middle);
+        walkers[k].frame = search.rays.frame(gap.owner);
+        walkers[k].origin = search.rays.to_ray_space(gap.middle, walkers[k].frame);
         walkers[k].direction =
             (std::cos(angle) * through + std::sin(angle) * gap.along).cast<float>();
         walkers[k].seed = mix(mix(seed, k), sign > 0.0 ? 1 : 2);
@@ -71,7 +72,7 @@ std::optional<SurfaceIndex> most_frequent(std::span<const Walker> walkers) {
 /// Ways that end right at the gap tell nothing of the place beyond, and are given up.
 void give_up_short_ones(std::vector<Walker>& walkers, double shortest) {
     std::erase_if(walkers, [&](const Walker& walker) {
-        return walker.landing != Landing::escaped && walker.length() < shortest;
+        return walker.landing != Landing::escaped && walker.length < shortest;
     });
 }
 
@@ -88,7 +89,7 @@ End look_into(const FlawSearch& search, std::vector<Walker> walkers, double shor
         }
         for (const Walker& walker : walkers)
             if (flight > 0 && walker.flying && walker.landing != Landing::escaped)
-                lengths.push_back(walker.length());
+                lengths.push_back(walker.length);
         turn(search, walkers);
     }
     for (const Walker& walker : walkers)
@@ -109,15 +110,14 @@ double seen_share(const FlawSearch& search, std::span<const Walker> one,
     double seen = 0.0, pairs = 0.0;
     for (const Walker& a : one)
         for (const Walker& b : other) {
-            const RayPoint way = b.origin - a.origin;
+            const RayPoint shift = search.rays.shift(b.frame, a.frame).cast<float>();
+            const RayPoint way = b.origin + shift - a.origin;
             pairs += 1.0;
             if (way.dot(search.scene.surfaces[a.surface].normal.cast<float>()) <= 0.0f ||
                 way.dot(search.scene.surfaces[b.surface].normal.cast<float>()) >= 0.0f)
                 continue;
             RayBatch segment{};
-            segment.ox[0] = a.origin.x(), segment.oy[0] = a.origin.y();
-            segment.oz[0] = a.origin.z();
-            segment.dx[0] = way.x(), segment.dy[0] = way.y(), segment.dz[0] = way.z();
+            RayScene::set_segment(segment, 0, a.origin, a.frame, way, b.origin, b.frame);
             seen += search.rays.blocked(segment, 1) == 0;
         }
     return pairs > 0.0 ? seen / pairs : 0.0;
@@ -215,7 +215,7 @@ std::vector<Finding> leak_findings(const FlawSearch& search, std::span<const Lea
                   : quoted(names[0]) + " and " + quoted(names[1]) + " do not quite meet") +
                  ": light gets " + (leak.leads_out ? "out" : "into another room") +
                  " through a gap of " + length_text(leak.gap.width) + " near " +
-                 place_text(leak.gap.middle, search.size),
+                 place_text(leak.gap.middle, search.size(leak.gap.owner)),
              "let them touch: move the edge onto the surface, or past it", 1});
     }
     return findings;

@@ -19,7 +19,8 @@ LightTest::LightTest(const FlawSearch& search) : search_(search) {
     }
 }
 
-bool LightTest::sees_lamp(const RayPoint& p, const RayPoint& normal, std::uint64_t seed) const {
+bool LightTest::sees_lamp(const RayPoint& p, FrameIndex frame, const RayPoint& normal,
+                          std::uint64_t seed) const {
     if (emitters_.empty()) return false;
     const double drawn = uniform_of(mix(seed, 7)) * up_to_.back();
     const auto found = std::upper_bound(up_to_.begin(), up_to_.end() - 1, drawn);
@@ -27,12 +28,13 @@ bool LightTest::sees_lamp(const RayPoint& p, const RayPoint& normal, std::uint64
     const SurfaceIndex s = emitters_[k];
     const RayPoint lamp_normal = search_.scene.surfaces[s].normal.cast<float>();
     const RayPoint lamp =
-        search_.rays.to_ray_space(points_[k].at(mix(seed, 8))) + search_.rays.lift(s) * lamp_normal;
-    const RayPoint way = lamp - p;
+        search_.rays.to_ray_space(points_[k].at(mix(seed, 8)), search_.rays.frame(s)) +
+        search_.rays.lift(s) * lamp_normal;
+    const RayPoint shift = search_.rays.shift(search_.rays.frame(s), frame).cast<float>();
+    const RayPoint way = lamp + shift - p;
     if (way.dot(normal) <= 0.0f || way.dot(lamp_normal) >= 0.0f) return false;
     RayBatch segment{};
-    segment.ox[0] = p.x(), segment.oy[0] = p.y(), segment.oz[0] = p.z();
-    segment.dx[0] = way.x(), segment.dy[0] = way.y(), segment.dz[0] = way.z();
+    RayScene::set_segment(segment, 0, p, frame, way, lamp, search_.rays.frame(s));
     return search_.rays.blocked(segment, 1) == 0;
 }
 

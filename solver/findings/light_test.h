@@ -14,7 +14,8 @@ class LightTest {
     bool any() const { return !emitters_.empty(); }
     /// Whether a point of a lamp drawn by power is seen from p, in ray space, by what faces
     /// `normal`.
-    bool sees_lamp(const RayPoint& p, const RayPoint& normal, std::uint64_t seed) const;
+    bool sees_lamp(const RayPoint& p, FrameIndex frame, const RayPoint& normal,
+                   std::uint64_t seed) const;
     bool gives_light(SurfaceIndex s) const { return power_[s] > 0.0; }
     const std::vector<double>& power() const { return power_; }  // per surface, luminance [W]
 

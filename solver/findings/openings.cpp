@@ -51,7 +51,7 @@ Escapes follow_light(const FlawSearch& search) {
         for (const Walker& walker : walkers) {
             escapes.flights += walker.flying;
             if (walker.flying && walker.landing == Landing::escaped)
-                escapes.all.push_back({search.rays.from_ray_space(walker.origin.cast<double>()),
+                escapes.all.push_back({search.rays.from_ray_space(walker.origin.cast<double>(), walker.frame),
                                        walker.direction.cast<double>()});
         }
     }
@@ -91,7 +91,8 @@ std::vector<std::string> rim(const FlawSearch& search, std::span<const Escape> e
     std::map<std::string, int> counts;
     for (std::size_t k = 0; k < std::min<std::size_t>(escapes.size(), 64); ++k) {
         const Vec3 at = nearest_to(escapes[k], middle);
-        for (double reach = 0.01 * search.size; reach < search.size; reach *= 2.0) {
+        const double size = search.size_at(at);
+        for (double reach = 0.01 * size; reach < size; reach *= 2.0) {
             const auto near = tree.within(at, reach);
             if (near.empty()) continue;
             const auto least = std::min_element(
@@ -124,7 +125,7 @@ std::vector<Finding> find_openings(const FlawSearch& search, std::span<const Sli
     const Vec3 middle = focus(escapes.all);
     return {{"open-enclosure", rim(search, escapes.all, middle),
              share_text(share) + " of the light escapes at each reflection, through a hole near " +
-                 place_text(middle, search.size) + " in a room that is closed otherwise",
+                 place_text(middle, search.size_at(middle)) + " in a room that is closed otherwise",
              "put in the wall that is missing, or a polygon for the window or sky that is meant",
              1}};
 }

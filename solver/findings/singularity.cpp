@@ -77,7 +77,7 @@ std::vector<Finding> find_singularity(const FlawSearch& search) {
     const Surface& surface = search.scene.surfaces[where];
     const std::string times = number_text(1.0 / std::max(1.0 - most, 1e-9));
     finding.detail = "light that is enclosed near " +
-                     place_text(centroid(surface.corners, surface.normal), search.size) +
+                     place_text(centroid(surface.corners, surface.normal), search.size(where)) +
                      " loses only " + share_text(1.0 - most) +
                      " at each reflection: errors of form factors and of rounding grow up to " +
                      times + " times";

@@ -52,7 +52,7 @@ double connecting(const FlawSearch& search, SurfaceIndex lamp, double samples, d
         if (walker.landing != Landing::front) continue;
         const Surface& lit = search.scene.surfaces[walker.surface];
         const Vec3 way = walker.direction.cast<double>();
-        const double distance = static_cast<double>(walker.length()) / search.rays.scale();
+        const double distance = static_cast<double>(walker.length) / search.rays.scale();
         const double kernel = way.dot(emitter.normal) * -way.dot(lit.normal) /
                               (std::numbers::pi * distance * distance);
         const double reached = emitter.area + parts * std::min(lit.area, patch_area);
@@ -93,7 +93,7 @@ std::vector<Finding> find_small_emitters(const FlawSearch& search, const SolveSe
              "about " + number_text(fewest) + " of " + number_text(samples) +
                  (planned.engine == Engine::ray_cast ? " rays" : " hemicube cells") +
                  " connect the lamp " + quoted(search.object_of(worst)) + " near " +
-                 place_text(centroid(lamp.corners, lamp.normal), search.size) +
+                 place_text(centroid(lamp.corners, lamp.normal), search.size(worst)) +
                  " with a patch that it lights: its light is noise there",
              "ask for an `accuracy` or analytic form factors, which sample lamps one by one; or " +
                  number_text(std::ceil(enough / std::max(fewest, 1e-3))) + " times as many samples",

@@ -34,6 +34,7 @@ void fly_batch(const RayScene& rays, std::span<Walker*> walkers) {
         batch.oz[k] = walker.origin.z();
         batch.dx[k] = walker.direction.x(), batch.dy[k] = walker.direction.y();
         batch.dz[k] = walker.direction.z();
+        batch.frame[k] = walker.frame;
     }
     rays.land(batch, static_cast<int>(walkers.size()), landings);
     for (std::size_t k = 0; k < walkers.size(); ++k) {
@@ -42,6 +43,8 @@ void fly_batch(const RayScene& rays, std::span<Walker*> walkers) {
         if (walker.landing == Landing::escaped) continue;
         walker.surface = landings.surface[k];
         walker.end = RayPoint(landings.x[k], landings.y[k], landings.z[k]);
+        const RayPoint shift = rays.shift(rays.frame(walker.surface), walker.frame).cast<float>();
+        walker.length = (walker.end + shift - walker.origin).norm();
     }
 }
 
@@ -79,7 +82,8 @@ Walker leave(const FlawSearch& search, SurfaceIndex s, const Vec3& p, Side side,
     const RayPoint normal =
         (side == Side::front ? 1.0f : -1.0f) * search.scene.surfaces[s].normal.cast<float>();
     Walker walker;
-    walker.origin = search.rays.to_ray_space(p) + search.rays.lift(s) * normal;
+    walker.frame = search.rays.frame(s);
+    walker.origin = search.rays.to_ray_space(p, walker.frame) + search.rays.lift(s) * normal;
     walker.direction = cosine_direction(normal, seed);
     walker.seed = seed;
     return walker;
@@ -104,6 +108,7 @@ void turn(const FlawSearch& search, std::span<Walker> walkers) {
         if (!walker.flying) continue;
         const RayPoint normal = search.scene.surfaces[walker.surface].normal.cast<float>();
         walker.seed = mix(walker.seed, 6);
+        walker.frame = search.rays.frame(walker.surface);
         walker.origin = walker.end + search.rays.lift(walker.surface) * normal;
         walker.direction = cosine_direction(normal, walker.seed);
     }

@@ -12,14 +12,15 @@ namespace patchlight {
 /// a direction with density cosine / π, whatever its reflectance.
 struct Walker {
     RayPoint origin = RayPoint::Zero();      // [ray space]
+    FrameIndex frame = 0;                    // of `origin`
     RayPoint direction = RayPoint::UnitZ();  // unit
     std::uint64_t seed = 0;
     bool flying = true;
     // Of the last flight:
     Landing landing = Landing::escaped;
     SurfaceIndex surface = 0;         // landed on, unless it escaped
-    RayPoint end = RayPoint::Zero();  // where [ray space]
-    float length() const { return (end - origin).norm(); }
+    RayPoint end = RayPoint::Zero();  // where, in the frame of that surface [ray space]
+    float length = 0.0f;              // [ray space]
 };
 
 /// A number in [0, 1) out of a seed.

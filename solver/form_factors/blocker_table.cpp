@@ -1,6 +1,7 @@
 #include "solver/form_factors/blocker_table.h"
 
 #include "solver/form_factors/patch_clusters.h"
+#include "solver/scene/local_tolerance.h"
 
 #include <oneapi/tbb/parallel_for.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double most_work =
     1e8;  // tests of a blocker against a pair, about a second; beyond, rays are cheaper
-constexpr double in_plane = 1e-9;  // of the scene's size: touching a plane is not crossing it [1]
+constexpr double in_plane = 1e-9;  // of a frame's size: touching a plane is not crossing it [1]
 
 struct Interval {
     double low = std::numeric_limits<double>::infinity();
@@ -43,9 +44,11 @@ struct Sheet {
     Vec3 normal;
     Interval level;  // along the normal: not quite flat
     std::vector<Vec3> hull;
+    double slack = 0.0;  // touching it is not crossing it [m]
 };
 
 std::vector<Sheet> make_sheets(const Scene& scene, const PlaneGroups& groups) {
+    const LocalTolerance tolerance(scene);
     std::vector<Sheet> sheets;
     for (const std::vector<SurfaceIndex>& members : groups.members) {
         const Surface& first = scene.surfaces[members[0]];
@@ -56,7 +59,8 @@ std::vector<Sheet> make_sheets(const Scene& scene, const PlaneGroups& groups) {
         sheets.push_back({first.normal, along(corners, first.normal),
                           members.size() == 1
                               ? corners
-                              : convex_hull(corners, frame_of(first.corners[0], first.normal))});
+                              : convex_hull(corners, frame_of(first.corners[0], first.normal)),
+                          tolerance.rounding(members[0], in_plane)});
     }
     return sheets;
 }
@@ -83,7 +87,6 @@ std::array<Vec3, 3> axes_of(const Scene& scene) {
 }
 
 struct Tester {
-    double slack;
     std::array<Vec3, 3> axes;
 
     /// About a unit direction, from the first of some vectors that is far from it.
@@ -97,6 +100,7 @@ struct Tester {
 
     bool can_block(const Sheet& blocker, std::span<const Vec3> a, const Sheet& plane_a,
                    std::span<const Vec3> b, const Sheet& plane_b) const {
+        const double slack = blocker.slack;
         const Interval side_a = along(a, blocker.normal), side_b = along(b, blocker.normal);
         if (std::max(side_a.high, side_b.high) <= blocker.level.low + slack ||
             std::min(side_a.low, side_b.low) >= blocker.level.high - slack)
@@ -106,12 +110,12 @@ struct Tester {
         if (along(corners, plane_b.normal).high <= plane_b.level.low + slack) return false;
         for (const Vec3& axis : axes)
             if (apart(along(a, axis), along(b, axis), along(corners, axis), slack)) return false;
-        return !parted_sideways(corners, a, b, plane_a.normal);
+        return !parted_sideways(corners, a, b, plane_a.normal, slack);
     }
 
     /// Planes along the line between the two centres, in eight directions round it.
     bool parted_sideways(std::span<const Vec3> corners, std::span<const Vec3> a,
-                         std::span<const Vec3> b, const Vec3& normal) const {
+                         std::span<const Vec3> b, const Vec3& normal, double slack) const {
         Vec3 from = Vec3::Zero(), to = Vec3::Zero();
         for (const Vec3& p : a) from += p / static_cast<double>(a.size());
         for (const Vec3& p : b) to += p / static_cast<double>(b.size());
@@ -139,7 +143,7 @@ BlockerTable::BlockerTable(const Scene& scene, const PatchMesh& mesh, const Plan
     always_ = pairs * static_cast<double>(planes) > most_work ||
               static_cast<double>(n) * static_cast<double>(n) > most_work;
     if (always_) return;
-    const Tester tester{in_plane * scene_size(scene), axes_of(scene)};
+    const Tester tester{axes_of(scene)};
     const std::vector<Sheet> sheets = make_sheets(scene, groups);
     // Blockers of pairs of planes first: pairs of clusters look at those alone.
     std::vector<std::vector<std::uint32_t>> blockers(planes * planes);

@@ -45,7 +45,7 @@ inline Points points_on(const PatchSampler& s, const RayPoint& above, Floats u, 
 inline Floats positive(Floats x) { return x > 0.0f ? x : Floats{}; }
 
 struct Lanes {  // where the results go
-    float *ox, *oy, *oz, *dx, *dy, *dz, *weight;
+    float *ox, *oy, *oz, *dx, *dy, *dz, *ex, *ey, *ez, *weight;
 };
 
 PATCHLIGHT_WIDE void fill(const PairEnds& ends, const std::array<const std::uint32_t*, 4>& reversed,
@@ -54,17 +54,22 @@ PATCHLIGHT_WIDE void fill(const PairEnds& ends, const std::array<const std::uint
     for (std::size_t d = 0; d < 4; ++d) u[d] = coordinate(reversed[d], ends.seeds[d]);
     const Points x = points_on(ends.from, ends.above_from, u[0], u[1]);
     const Points y = points_on(ends.to, ends.above_to, u[2], u[3]);
-    const Floats dx = y.x - x.x, dy = y.y - x.y, dz = y.z - x.z;
+    const RayPoint& shift = ends.shift;
+    const Floats dx = y.x + shift.x() - x.x, dy = y.y + shift.y() - x.y,
+                 dz = y.z + shift.z() - x.z;
     const Floats squared = dx * dx + dy * dy + dz * dz;
     const RayPoint &n = ends.from.normal, &m = ends.to.normal;
     const Floats leaving = positive(dx * n.x() + dy * n.y() + dz * n.z());
     const Floats arriving = positive(-(dx * m.x() + dy * m.y() + dz * m.z()));
-    const Floats weight = leaving * arriving / (squared * squared);
+    const Floats weight = leaving / squared * (arriving / squared);
     std::memcpy(lanes.ox, &x.x, sizeof(Floats)), std::memcpy(lanes.oy, &x.y, sizeof(Floats)),
         std::memcpy(lanes.oz, &x.z, sizeof(Floats));
     std::memcpy(lanes.dx, &dx, sizeof(Floats)), std::memcpy(lanes.dy, &dy, sizeof(Floats)),
         std::memcpy(lanes.dz, &dz, sizeof(Floats));
     std::memcpy(lanes.weight, &weight, sizeof(Floats));
+    if (ends.from.frame == ends.to.frame) return;
+    std::memcpy(lanes.ex, &y.x, sizeof(Floats)), std::memcpy(lanes.ey, &y.y, sizeof(Floats)),
+        std::memcpy(lanes.ez, &y.z, sizeof(Floats));
 }
 
 }  // namespace
@@ -75,7 +80,11 @@ void make_four_samples(const PairEnds& ends, const SobolPoints& points, int firs
     for (std::size_t d = 0; d < 4; ++d) reversed[d] = points.reversed(d) + first;
     fill(ends, reversed,
          {&batch.ox[lane], &batch.oy[lane], &batch.oz[lane], &batch.dx[lane], &batch.dy[lane],
-          &batch.dz[lane], &weights[lane]});
+          &batch.dz[lane], &batch.ex[lane], &batch.ey[lane], &batch.ez[lane], &weights[lane]});
+    for (int k = lane; k < lane + four; ++k) {
+        batch.frame[k] = ends.from.frame;
+        batch.end_frame[k] = ends.to.frame;
+    }
 }
 
 }  // namespace patchlight

@@ -16,6 +16,7 @@ struct PairEnds {
     const PatchSampler& from;
     const PatchSampler& to;
     RayPoint above_from, above_to;  // added to points of each [ray space]
+    RayPoint shift;  // added to points of the second to have them in the frame of the first
     std::array<std::uint32_t, 4> seeds;
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace patchlight {
@@ -103,7 +104,9 @@ HemicubePose HemicubeEngine::pose(PatchIndex i, int k, int part) const {
     const RayPoint at = k == 1 ? sampler.centre : sampler.at(middle(part % k), middle(part / k));
     HemicubePose pose;
     pose.normal = sampler.normal.cast<double>().normalized();
-    pose.eye = at.cast<double>() + static_cast<double>(lift_[i]) * pose.normal;
+    pose.frame = sampler.frame;
+    pose.eye = at.cast<double>() + ray_scene_.shift(sampler.frame, 0) +
+               static_cast<double>(lift_[i]) * pose.normal;
     const std::uint64_t bits =
         mix(mix(settings_.seed, i), static_cast<std::uint64_t>(part) + 0x68656d69);
     const double angle = settings_.rotated
@@ -120,7 +123,7 @@ HemicubeEngine::Tally HemicubeEngine::look(PatchIndex i, int k) const {
     Tally tally;
     tally.share.assign(mesh_.size(), 0.0);
     tally.cells.assign(mesh_.size(), 0);
-    tally.nearest = 8.0;
+    tally.nearest = std::numeric_limits<double>::infinity();
     const double part_share = 1.0 / (k * k);
     HemicubeView view(hemicube_scene_, cells_for(k), ray_scene_);
     for (int part = 0; part < k * k; ++part)
@@ -135,7 +138,9 @@ HemicubeEngine::Tally HemicubeEngine::look(PatchIndex i, int k) const {
                 tally.backs += weighted;
                 return;
             }
-            const Eigen::Vector3f p = sight->point.cast<float>();
+            const Eigen::Vector3f p =
+                (sight->point - ray_scene_.shift(ray_scene_.frame(sight->surface), 0))
+                    .cast<float>();
             const PatchIndex j = locator_.find(sight->surface, p.x(), p.y(), p.z());
             tally.share[j] += weighted;
             ++tally.cells[j];

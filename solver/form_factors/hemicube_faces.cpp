@@ -21,8 +21,9 @@ HemicubePose pose_at_centre(const Scene& scene, const PatchMesh& mesh, const Ray
     const PatchSampler sampler = make_sampler(mesh, i, scene.surfaces[patch.surface].normal, rays);
     HemicubePose pose;
     pose.normal = sampler.normal.cast<double>().normalized();
+    pose.frame = sampler.frame;
     pose.eye =
-        sampler.centre.cast<double>() + static_cast<double>(rays.lift(patch.surface)) * pose.normal;
+        sampler.centre.cast<double>() + rays.shift(sampler.frame, 0) + static_cast<double>(rays.lift(patch.surface)) * pose.normal;
     const Vec3 edge = mesh.vertices[patch.vertices[1]] - mesh.vertices[patch.vertices[0]];
     pose.bitangent = pose.normal.cross(edge).normalized();
     pose.tangent = pose.bitangent.cross(pose.normal);
@@ -49,7 +50,8 @@ std::array<HemicubeFace, 5> hemicube_faces(const Scene& scene, const PatchMesh& 
     view.look_through(pose_at_centre(scene, mesh, rays, i), [&](int face, std::size_t cell, double,
                                                                 const HemicubeSight* sight) {
         if (!sight) return;
-        const Eigen::Vector3f p = sight->point.cast<float>();
+        const Eigen::Vector3f p =
+            (sight->point - rays.shift(rays.frame(sight->surface), 0)).cast<float>();
         faces[static_cast<std::size_t>(face)].seen[cell] =
             sight->front ? locator.find(sight->surface, p.x(), p.y(), p.z()) : HemicubeFace::back;
     });

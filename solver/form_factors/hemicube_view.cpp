@@ -8,9 +8,9 @@ namespace patchlight {
 
 namespace {
 
-constexpr double far_depth = 8.0;      // the scene lies within [-1, 1] in ray space
+constexpr double far_depth = 8.0;      // over the scene's extent [1]
 constexpr double edge_on = 1e-12;      // an eye so close to a plane sees nothing of it
-constexpr double most_distance = 4.0;  // more than any two points of the scene are apart
+constexpr double most_distance = 4.0;  // over its extent: of any two points, and more [1]
 
 }  // namespace
 
@@ -22,7 +22,9 @@ HemicubeScene::HemicubeScene(const Scene& scene, const RayScene& rays) {
         std::vector<Vec2> flat;
         for (const Vec3& p : surface.corners) {
             flat.push_back(frame.flat(p));
-            vertices_.push_back(rays.to_ray_space(p).cast<double>());
+            vertices_.push_back(rays.to_ray_space(p, rays.frame(s)).cast<double>() +
+                                rays.shift(rays.frame(s), 0));
+            extent_ = std::max(extent_, vertices_.back().cwiseAbs().maxCoeff());
         }
         for (const auto& t : triangulate(flat))
             triangles_.push_back({{first + t[0], first + t[1], first + t[2]}, s});
@@ -36,7 +38,7 @@ HemicubeSight HemicubeScene::sight(SurfaceIndex s, const Vec3& eye, const Vec3& 
     const double towards = normals_[s].dot(direction);
     const double length = direction.norm();
     // The pixel's centre may miss the polygon's plane by a rounding: then it is far off on it.
-    const double reach = most_distance / length;
+    const double reach = most_distance * extent_ / length;
     const double t = height * towards < 0.0 ? std::min(reach, -height / towards) : reach;
     return {s, height > 0.0, t * length, eye + t * direction};
 }
@@ -75,14 +77,14 @@ HemicubeView::Directions HemicubeView::draw(const HemicubePose& pose, int face) 
     const bool is_top = face == 0;
     const Vec3 ahead = axes[face], up = is_top ? Vec3::UnitY() : Vec3::UnitZ();
     const Vec3 right = ahead.cross(up);
-    const double near_depth = pose.near_depth;
+    const double near_depth = pose.near_depth, end = far_depth * scene_.extent();
     canonical_.clear();
     for (const Vec3& p : local_) {
         // |x|, |y| <= w and 0 <= z <= w within 45 degrees of the axis, z = w at the near depth;
         // a side face keeps its upper half, y from 0 to w.
         const double w = p.dot(ahead) / near_depth, y = p.dot(up) / near_depth;
         canonical_.emplace_back(p.dot(right) / near_depth, is_top ? y : 2.0 * y - w,
-                                (far_depth - w * near_depth) / (far_depth - near_depth), w);
+                                (end - w * near_depth) / (end - near_depth), w);
     }
     raster::ItemBuffer& target = buffer(face);
     target.clear();
@@ -112,19 +114,21 @@ int HemicubeView::cast(const HemicubePose& pose, const Directions& directions, s
     RayBatch batch;
     LandingBatch landings;
     const int count = static_cast<int>(std::min<std::size_t>(ray_batch, doubtful_.size() - first));
-    const RayPoint eye = pose.eye.cast<float>();
+    const RayPoint eye = (pose.eye - rays_.shift(pose.frame, 0)).cast<float>();
     for (int k = 0; k < ray_batch; ++k) {
         const std::size_t cell =
             doubtful_[first + static_cast<std::size_t>(std::min(k, count - 1))];
         const RayPoint d = directions.at(cell, cells_.width()).cast<float>();
         batch.ox[k] = eye.x(), batch.oy[k] = eye.y(), batch.oz[k] = eye.z();
         batch.dx[k] = d.x(), batch.dy[k] = d.y(), batch.dz[k] = d.z();
+        batch.frame[k] = pose.frame;
     }
     rays_.land(batch, count, landings);
     for (int k = 0; k < count; ++k) {
         landed_[k] = landings.landing[k] != Landing::escaped;
         if (!landed_[k]) continue;
-        const Vec3 point(landings.x[k], landings.y[k], landings.z[k]);
+        const Vec3 point = Vec3(landings.x[k], landings.y[k], landings.z[k]) +
+                           rays_.shift(rays_.frame(landings.surface[k]), 0);
         sights_[k] = {landings.surface[k], landings.landing[k] == Landing::front,
                       (point - pose.eye).norm(), point};
     }

@@ -16,6 +16,7 @@ struct HemicubePose {
     Vec3 eye = Vec3::Zero();
     Vec3 tangent = Vec3::UnitX(), bitangent = Vec3::UnitY(), normal = Vec3::UnitZ();
     double near_depth = 0.0;  // nothing nearer to the eye's plane is seen
+    FrameIndex frame = 0;     // in which its rays are cast; all places are told in frame 0
 };
 
 /// What is seen through one cell.
@@ -31,6 +32,8 @@ struct HemicubeSight {
 class HemicubeScene {
   public:
     HemicubeScene(const Scene& scene, const RayScene& rays);
+    /// More than any point of it is off the origin [ray space].
+    double extent() const { return extent_; }
 
     struct Triangle {
         std::array<std::uint32_t, 3> vertices;
@@ -50,6 +53,7 @@ class HemicubeScene {
     std::vector<Triangle> triangles_;
     std::vector<Vec3> normals_;   // per surface
     std::vector<double> levels_;  // normal · p of its plane
+    double extent_ = 1.0;
 };
 
 /// Draws the scene on the faces of hemicubes of one resolution. Of a front and a back that

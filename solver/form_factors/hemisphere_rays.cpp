@@ -45,6 +45,7 @@ int HemisphereRays::fill(PatchIndex i, int first, RayBatch& batch) const {
     std::array<Lanes, 4> u;
     scramble_lanes(reversed, seeds, u);
     const PatchSampler& s = samplers_[i];
+    batch.frame.fill(s.frame);
     cosine_directions({s.tangent, s.bitangent, s.normal}, u[2], u[3], batch);
     const RayPoint above = lift_[i] * s.normal;
     if (s.parallelogram) {

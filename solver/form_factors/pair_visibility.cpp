@@ -61,6 +61,7 @@ void PairVisibility::measure(std::vector<VisibilityQuery>& queries) const {
                       to,
                       samplers_.lift(query.i) * from.normal,
                       samplers_.lift(query.j) * to.normal,
+                      ray_scene_.shift(to.frame, from.frame).cast<float>(),
                       {}};
         int turn = -1;
         for (int n = query.first; n < query.first + query.count; n += four) {

@@ -4,7 +4,9 @@
 #include "solver/mesh/make_patches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace patchlight {
 
@@ -17,7 +19,7 @@ struct Reach {
 };
 constexpr Reach quad_reach{30.0, 9.0, 4.5};
 constexpr Reach triangle_reach{60.0, 12.0, 5.0};
-constexpr double in_plane = 1e-10;  // of the scene's size: rounding of coordinates [1]
+constexpr double in_plane = 1e-10;  // of a frame's size: rounding of coordinates [1]
 constexpr std::size_t most_tabled_groups = 2048;  // places of planes are tabled up to here
 
 }  // namespace
@@ -26,8 +28,7 @@ UnoccludedExchange::UnoccludedExchange(const Scene& scene, const PatchMesh& mesh
                                        const PlaneGroups& groups)
     : scene_(scene),
       mesh_(mesh),
-      flat_(in_plane * scene_size(scene)),
-      contact_(0.5 * contact_distance(scene)),
+      tolerance_(scene),
       polygons_(mesh.size()),
       radius_(mesh.size()),
       group_of_(groups.of_surface),
@@ -40,24 +41,43 @@ UnoccludedExchange::UnoccludedExchange(const Scene& scene, const PatchMesh& mesh
             polygons_[i].add(p);
             radius_[i] = std::max(radius_[i], (p - mesh.patches[i].centre).norm());
         }
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+        flat_.push_back(tolerance_.rounding(s, in_plane));
     const std::size_t n = groups.size();
     if (n > most_tabled_groups) return;
     group_place_.resize(n * n, Place::cut);
     for (std::size_t g = 0; g < n; ++g)
-        for (std::size_t h = 0; h < n; ++h) {
-            const Surface& plane = scene.surfaces[groups.members[h][0]];
-            double lowest = 0.0, highest = 0.0;
-            for (const SurfaceIndex s : groups.members[g])
-                for (const Vec3& p : scene.surfaces[s].corners) {
-                    const double height = (p - plane.corners[0]).dot(plane.normal);
-                    lowest = std::min(lowest, height);
-                    highest = std::max(highest, height);
-                }
-            if (highest <= contact_ || g == h)
-                group_place_[g * n + h] = Place::behind;
-            else if (lowest >= -flat_)
-                group_place_[g * n + h] = Place::in_front;
+        for (std::size_t h = 0; h < n; ++h)
+            group_place_[g * n + h] =
+                g == h ? Place::behind : place_of_group(groups.members[g], groups.members[h]);
+}
+
+/// Where all of a group is for all surfaces of another; else `cut`.
+UnoccludedExchange::Place UnoccludedExchange::place_of_group(
+    const std::vector<SurfaceIndex>& group, const std::vector<SurfaceIndex>& before) const {
+    const Surface& plane = scene_.surfaces[before[0]];
+    double lowest = 0.0, highest = 0.0, flat = flat_[before[0]];
+    for (const SurfaceIndex s : group) {
+        flat = std::max(flat, flat_[s]);
+        for (const Vec3& p : scene_.surfaces[s].corners) {
+            const double height = (p - plane.corners[0]).dot(plane.normal);
+            lowest = std::min(lowest, height);
+            highest = std::max(highest, height);
         }
+    }
+    const auto range = [&](const std::vector<SurfaceIndex>& surfaces) {
+        std::array<double, 2> least_and_most{std::numeric_limits<double>::infinity(), 0.0};
+        for (const SurfaceIndex s : surfaces) {
+            least_and_most[0] = std::min(least_and_most[0], tolerance_.at(s));
+            least_and_most[1] = std::max(least_and_most[1], tolerance_.at(s));
+        }
+        return least_and_most;
+    };
+    const auto of_group = range(group), of_plane = range(before);
+    const double least_contact = 0.5 * std::min(of_group[0], of_plane[0]),
+                 most_contact = 0.5 * std::max(of_group[1], of_plane[1]);
+    if (highest <= least_contact) return Place::behind;
+    return highest > most_contact && lowest >= -flat ? Place::in_front : Place::cut;
 }
 
 UnoccludedExchange::Place UnoccludedExchange::place(PatchIndex i, SurfaceIndex of) const {
@@ -73,7 +93,9 @@ UnoccludedExchange::Place UnoccludedExchange::place(PatchIndex i, SurfaceIndex o
         lowest = std::min(lowest, height);
         highest = std::max(highest, height);
     }
-    return highest <= contact_ ? Place::behind : lowest >= -flat_ ? Place::in_front : Place::cut;
+    const SurfaceIndex own = mesh_.patches[i].surface;
+    if (highest <= contact(own, of)) return Place::behind;
+    return lowest >= -std::max(flat_[own], flat_[of]) ? Place::in_front : Place::cut;
 }
 
 double UnoccludedExchange::clipped(PatchIndex i, PatchIndex j) const {

@@ -3,6 +3,7 @@
 #include "solver/form_factors/convex_polygon.h"
 #include "solver/form_factors/patch_points.h"
 #include "solver/mesh/patch_mesh.h"
+#include "solver/scene/local_tolerance.h"
 #include "solver/scene/plane_groups.h"
 
 #include <vector>
@@ -21,12 +22,18 @@ class UnoccludedExchange {
   private:
     enum class Place : unsigned char { behind, cut, in_front };
     Place place(PatchIndex i, SurfaceIndex of) const;
+    /// What rises no higher above a plane lies on it, and faces nothing there [m].
+    double contact(SurfaceIndex s, SurfaceIndex of) const {
+        return 0.5 * tolerance_.between(s, of);
+    }
+    Place place_of_group(const std::vector<SurfaceIndex>& group,
+                         const std::vector<SurfaceIndex>& before) const;
     double clipped(PatchIndex i, PatchIndex j) const;
 
     const Scene& scene_;
     const PatchMesh& mesh_;
-    double flat_;     // depths up to this need no clipping [m]
-    double contact_;  // what rises no higher above a plane lies on it, and faces nothing there [m]
+    LocalTolerance tolerance_;
+    std::vector<double> flat_;  // per surface: depths up to this need no clipping [m]
     std::vector<ConvexPolygon> polygons_;
     std::vector<double> radius_;           // of patches about their centres [m]
     std::vector<std::uint32_t> group_of_;  // plane group of each surface

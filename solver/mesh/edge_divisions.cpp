@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <unordered_map>
 
@@ -13,7 +14,6 @@ namespace patchlight {
 
 namespace {
 
-constexpr double same_corner = 1e-9;    // of the scene's size: closer corners are one vertex [1]
 constexpr double largest_aspect = 8.0;  // length over width that slivers are cut down to [1]
 constexpr int most_parts_for_aspect = 256;  // a needle is not cut finer than this for its shape
 constexpr double rounding = 1e-9;           // 10 parts of 0.1 fit an edge of 1
@@ -49,45 +49,54 @@ double estimate_parts(double length, double patch_size, double width) {
 }
 
 EdgeDivisions::EdgeDivisions(const Scene& scene, const std::vector<std::vector<Segment>>& creases,
-                             double patch_size) {
-    weld(scene);
-    find_edges(scene);
-    find_stops(scene, creases);
+                             const std::vector<bool>& hidden, double patch_size) {
+    const LocalTolerance tolerance(scene);
+    weld(scene, tolerance);
+    find_edges(scene, hidden);
+    find_stops(scene, tolerance, creases);
     choose_grids(scene, creases);
     count_parts(scene, patch_size);
     place_points(patch_size);
 }
 
-void EdgeDivisions::weld(const Scene& scene) {
-    Welder welder(same_corner * scene_size(scene));
-    for (const Surface& surface : scene.surfaces) {
+void EdgeDivisions::weld(const Scene& scene, const LocalTolerance& tolerance) {
+    std::vector<double> reach;
+    for (std::size_t f = 0; f < tolerance.frames().size(); ++f)
+        reach.push_back(tolerance.same_point(static_cast<FrameIndex>(f)));
+    Welder welder(std::move(reach));
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         first_corner_.push_back(corners_.size());
-        for (const Vec3& p : surface.corners) corners_.push_back(welder.add(p));
+        for (const Vec3& p : scene.surfaces[s].corners)
+            corners_.push_back(welder.add(p, tolerance.frame_of(s)));
     }
     first_corner_.push_back(corners_.size());
     positions_ = welder.take_points();
 }
 
-void EdgeDivisions::find_edges(const Scene& scene) {
+void EdgeDivisions::find_edges(const Scene& scene, const std::vector<bool>& hidden) {
     std::unordered_map<std::uint64_t, std::uint32_t> known;
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         const std::size_t n = scene.surfaces[s].corners.size();
+        const double coarseness = hidden[s] ? std::numeric_limits<double>::infinity()
+                                            : scene.surfaces[s].coarseness;
         for (std::size_t k = 0; k < n; ++k) {
             const VertexIndex a = corner(s, k), b = corner(s, (k + 1) % n);
             const auto [lo, hi] = std::minmax(a, b);
             const auto [at, fresh] = known.try_emplace((std::uint64_t{lo} << 32) | hi,
                                                        static_cast<std::uint32_t>(ends_.size()));
             if (fresh) ends_.emplace_back(lo, hi);
+            if (fresh) coarseness_.push_back(coarseness);
+            coarseness_[at->second] = std::min(coarseness_[at->second], coarseness);
             edges_.push_back(at->second);
         }
     }
 }
 
-void EdgeDivisions::find_stops(const Scene& scene,
+void EdgeDivisions::find_stops(const Scene& scene, const LocalTolerance& tolerance,
                                const std::vector<std::vector<Segment>>& creases) {
-    const double reach = contact_distance(scene);
     stops_.resize(ends_.size());
-    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        const double reach = tolerance.at(s);
         for (const EdgeStop& stop : find_edge_stops(scene.surfaces[s], creases[s], reach)) {
             const std::uint32_t e = edges_[first_corner_[s] + stop.edge];
             const Vec3 &a = positions_[ends_[e].first], &b = positions_[ends_[e].second];
@@ -99,6 +108,7 @@ void EdgeDivisions::find_stops(const Scene& scene,
             });
             if (!known) stops.insert(std::upper_bound(stops.begin(), stops.end(), place), place);
         }
+    }
 }
 
 void EdgeDivisions::choose_grids(const Scene& scene,
@@ -124,7 +134,7 @@ void EdgeDivisions::count_parts(const Scene& scene, double patch_size) {
         const double length = (positions_[ends_[e].first] - positions_[ends_[e].second]).norm();
         const std::uint32_t root = chords.root(e);
         longest[root] = std::max(longest[root], length);
-        parts[root] = std::max(parts[root], parts_for(length, patch_size));
+        parts[root] = std::max(parts[root], parts_for(length, coarseness_[e] * patch_size));
     }
     const auto raise = [&](std::uint32_t root, double width) {
         parts[root] = std::max(parts[root], parts_for_aspect(longest[root], width));
@@ -135,10 +145,12 @@ void EdgeDivisions::count_parts(const Scene& scene, double patch_size) {
             if (gridded_[s]) {
                 const std::uint32_t u = chords.root(edges_[first]),
                                     v = chords.root(edges_[first + 1]);
-                raise(u, longest[v] / parts[v]);
-                raise(v, longest[u] / parts[u]);
+                const double coarseness = std::max(1.0, scene.surfaces[s].coarseness);
+                raise(u, coarseness * longest[v] / parts[v]);
+                raise(v, coarseness * longest[u] / parts[u]);
             } else {
-                const double width = width_of(scene.surfaces[s]);
+                const double width =
+                    std::max(1.0, scene.surfaces[s].coarseness) * width_of(scene.surfaces[s]);
                 for (std::size_t k = 0; k < n; ++k) raise(chords.root(edges_[first + k]), width);
             }
         }
@@ -157,7 +169,8 @@ void EdgeDivisions::place_points(double patch_size) {
         double from = 0.0;
         for (const double to : stops) {
             const int parts =
-                stops.size() == 1 ? parts_[e] : parts_for((to - from) * length, patch_size);
+                stops.size() == 1 ? parts_[e]
+                                  : parts_for((to - from) * length, coarseness_[e] * patch_size);
             for (int k = 1; k < parts; ++k) places_[e].push_back(from + (to - from) * k / parts);
             if (to < 1.0) places_[e].push_back(to);
             from = to;

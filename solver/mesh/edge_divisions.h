@@ -2,6 +2,7 @@
 
 #include "solver/mesh/patch_mesh.h"
 #include "solver/scene/contact_lines.h"
+#include "solver/scene/local_tolerance.h"
 
 #include <cstdint>
 #include <utility>
@@ -17,8 +18,9 @@ double estimate_parts(double length, double patch_size, double width);
 class EdgeDivisions {
   public:
     /// `creases`: lines on each surface; where they meet an edge of it there will be a vertex.
+    /// `hidden`: surfaces that need no division of their own.
     EdgeDivisions(const Scene& scene, const std::vector<std::vector<Segment>>& creases,
-                  double patch_size);
+                  const std::vector<bool>& hidden, double patch_size);
 
     /// Whether surface s is a quad that becomes a grid: its opposite edges have one count.
     bool gridded(SurfaceIndex s) const { return gridded_[s]; }
@@ -36,9 +38,10 @@ class EdgeDivisions {
     std::vector<Vec3> vertices() const;
 
   private:
-    void weld(const Scene& scene);
-    void find_edges(const Scene& scene);
-    void find_stops(const Scene& scene, const std::vector<std::vector<Segment>>& creases);
+    void weld(const Scene& scene, const LocalTolerance& tolerance);
+    void find_edges(const Scene& scene, const std::vector<bool>& hidden);
+    void find_stops(const Scene& scene, const LocalTolerance& tolerance,
+                    const std::vector<std::vector<Segment>>& creases);
     void choose_grids(const Scene& scene, const std::vector<std::vector<Segment>>& creases);
     void count_parts(const Scene& scene, double patch_size);
     void place_points(double patch_size);
@@ -48,6 +51,7 @@ class EdgeDivisions {
     std::vector<std::uint32_t> edges_;                       // per corner: the edge that leaves it
     std::vector<Vec3> positions_;                            // of welded corners [m]
     std::vector<std::pair<VertexIndex, VertexIndex>> ends_;  // per edge, lower number first
+    std::vector<double> coarseness_;  // per edge: the least of the surfaces that have it [1]
     std::vector<std::vector<double>> stops_;  // per edge: places along it in (0, 1), ascending
     std::vector<bool> gridded_;               // per surface
     std::vector<int> parts_;                  // per edge

@@ -1,26 +1,41 @@
 #include "solver/mesh/make_patches.h"
 
+#include "solver/mesh/cover_lines.h"
 #include "solver/mesh/edge_divisions.h"
 #include "solver/mesh/edge_stops.h"
 #include "solver/mesh/grid_shape.h"
 #include "solver/mesh/polygon_mesher.h"
+#include "solver/scene/seen_area.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace patchlight {
 
 namespace {
 
-constexpr double no_area = 1e-12;  // of its surface's: of a patch too narrow for rounding [1]
+constexpr double no_area = 1e-12;  // of its surface's: of a patch that is not there for light [1]
 
 struct Mesher {
     const Scene& scene;
     const MeshLines& lines;
     const EdgeDivisions& divisions;
     PatchMesh mesh;
+
+    /// It has no weight in anything, and sees nothing.
+    void leave_out(Patch& patch) const {
+        patch.area = no_area * scene.surfaces[patch.surface].area;
+        patch.covered = true;
+    }
+
+    /// Patches of the surface in hand.
+    void leave_out_all() {
+        for (PatchIndex i = mesh.first_of_surface.back(); i < mesh.size(); ++i)
+            leave_out(mesh.patches[i]);
+    }
 
     void add_patch(SurfaceIndex s, const std::array<VertexIndex, 4>& vertices) {
         Patch patch;
@@ -31,10 +46,7 @@ struct Mesher {
         const std::span<const Vec3> ring(corners.data(), patch.corner_count());
         const Vec3& normal = scene.surfaces[s].normal;
         patch.area = vector_area(ring).dot(normal);
-        if (!(patch.area > 0.0)) {  // its corners are one, or on one line, to rounding
-            patch.area = no_area * scene.surfaces[s].area;
-            patch.covered = true;
-        }
+        if (!(patch.area > 0.0)) leave_out(patch);  // its corners are on one line, to rounding
         patch.centre = centroid(ring, normal);
         mesh.patches.push_back(patch);
     }
@@ -91,7 +103,9 @@ struct Mesher {
             }
         }
         const std::vector<std::vector<Vec2>> covers = covers_of(s, frame);
-        const PolygonMesh flat = mesh_polygon(outline, creases_of(s, frame), mesh.patch_size);
+        const double longest = lines.hidden[s] ? std::numeric_limits<double>::infinity()
+                                               : surface.coarseness * mesh.patch_size;
+        const PolygonMesh flat = mesh_polygon(outline, creases_of(s, frame), longest);
         for (std::size_t p = number.size(); p < flat.points.size(); ++p) {
             number.push_back(static_cast<VertexIndex>(mesh.vertices.size()));
             mesh.vertices.push_back(frame.lift(flat.points[p]));
@@ -104,7 +118,7 @@ struct Mesher {
         for (PatchIndex i = mesh.first_of_surface.back(); i < mesh.size(); ++i)
             for (const std::vector<Vec2>& cover : covers)
                 if (contains(cover, frame.flat(mesh.patches[i].centre)))
-                    mesh.patches[i].covered = true;
+                    leave_out(mesh.patches[i]);
     }
 
     std::vector<std::vector<Vec2>> covers_of(SurfaceIndex s, const PlaneFrame& frame) const {
@@ -157,30 +171,36 @@ double estimate_polygon(const Surface& surface, double patch_size) {
 
 double patch_size_for(const Scene& scene, double patches) {
     double area = 0.0;
-    for (const Surface& surface : scene.surfaces) area += surface.area;
+    for (const Surface& surface : scene.surfaces)
+        if (surface.coarseness == 1.0) area += surface.area;  // what is far changes nothing near
     return std::sqrt(area / patches);
 }
 
 std::size_t estimate_patch_count(const Scene& scene, double patch_size) {
     double count = 0.0;
     for (const Surface& surface : scene.surfaces)
-        count += fits_a_grid(surface) ? estimate_grid(surface, patch_size)
-                                      : estimate_polygon(surface, patch_size);
+        count += fits_a_grid(surface)
+                     ? estimate_grid(surface, surface.coarseness * patch_size)
+                     : estimate_polygon(surface, surface.coarseness * patch_size);
     return count < 9e18 ? static_cast<std::size_t>(count) : std::size_t{9'000'000'000'000'000'000u};
 }
 
-MeshLines find_mesh_lines(const Scene& scene) {
-    const double reach = contact_distance(scene);
-    const std::vector<std::vector<Segment>> contacts = find_contact_lines(scene);
-    MeshLines lines{find_coplanar_overlaps(scene), {}};
+MeshLines find_mesh_lines(const Scene& scene, const std::function<bool()>& go_on) {
+    const LocalTolerance tolerance(scene);
+    MeshLines lines{find_coplanar_overlaps(scene, go_on), {}, {}};
+    const std::vector<std::vector<Segment>> contacts = find_contact_lines(scene, lines.overlaps, go_on);
+    const std::vector<double> seen = seen_areas(scene, lines.overlaps, go_on);
+    lines.creases.resize(scene.surfaces.size());
+    lines.hidden.resize(scene.surfaces.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        lines.hidden[s] = !(seen[s] > 0.0);
+        if (lines.hidden[s]) continue;
+        if (go_on && !lines.overlaps.covered_by[s].empty() && !go_on()) break;
+        const double reach = tolerance.at(s);
         std::vector<Segment> creases = contacts[s];
-        for (const SurfaceIndex cover : lines.overlaps.covered_by[s]) {
-            const std::vector<Vec3>& outline = scene.surfaces[cover].corners;
-            for (std::size_t k = 0; k < outline.size(); ++k)
-                creases.push_back({outline[k], outline[(k + 1) % outline.size()]});
-        }
-        lines.creases.emplace_back();
+        const std::vector<Segment> covers =
+            cover_lines(scene, s, lines.overlaps.covered_by[s], reach);
+        creases.insert(creases.end(), covers.begin(), covers.end());
         for (const Segment& crease : creases) {
             const Segment snapped = snap_to_outline(scene.surfaces[s], crease, reach);
             if ((snapped[1] - snapped[0]).norm() > reach) lines.creases[s].push_back(snapped);
@@ -189,13 +209,24 @@ MeshLines find_mesh_lines(const Scene& scene) {
     return lines;
 }
 
-PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_size) {
-    const EdgeDivisions divisions(scene, lines.creases, patch_size);
+MeshLines no_lines(const Scene& scene) {
+    const std::size_t n = scene.surfaces.size();
+    return {{std::vector<std::vector<SurfaceIndex>>(n), std::vector<std::vector<SurfaceIndex>>(n)},
+            std::vector<std::vector<Segment>>(n),
+            std::vector<bool>(n, false)};
+}
+
+PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_size,
+                       const std::function<bool(std::size_t)>& go_on) {
+    const EdgeDivisions divisions(scene, lines.creases, lines.hidden, patch_size);
     Mesher mesher{scene, lines, divisions, {}};
     mesher.mesh.vertices = divisions.vertices();
     mesher.mesh.patch_size = patch_size;
     mesher.mesh.first_of_surface.push_back(0);
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
+        constexpr SurfaceIndex at_a_time = 1024;  // without creases
+        const bool ask = !lines.creases[s].empty() || s % at_a_time == 0;
+        if (ask && go_on && !go_on(mesher.mesh.size())) break;
         mesher.mesh.grid.push_back({0, 0});
         if (divisions.gridded(s))
             mesher.add_grid(s);
@@ -204,6 +235,7 @@ PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_
                                  divisions.corner(s, 2), divisions.corner(s, 2)});
         else
             mesher.add_polygon_patches(s);
+        if (lines.hidden[s]) mesher.leave_out_all();
         mesher.mesh.first_of_surface.push_back(static_cast<PatchIndex>(mesher.mesh.size()));
     }
     std::sort(mesher.mesh.creases.begin(), mesher.mesh.creases.end());

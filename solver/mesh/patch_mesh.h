@@ -17,7 +17,7 @@ struct Patch {
     std::array<VertexIndex, 4> vertices{};  // counter-clockwise from the front
     SurfaceIndex surface = 0;
     Vec3 centre = Vec3::Zero();  // centroid [m]
-    double area = 0.0;           // [m²]
+    double area = 0.0;           // [m²]; next to nothing where covered
     bool covered = false;        // wholly under a coplanar polygon listed later, or too narrow to
                                  // have an area: sees nothing
 

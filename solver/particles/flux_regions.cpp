@@ -47,7 +47,7 @@ std::vector<Landed> locate(const Scene& scene, const PatchMesh& mesh, const RayS
                 landed[k].triangle = nowhere;
                 if (!(y > 0.0)) continue;
                 const auto place =
-                    field.locate(from.surface, rays.from_ray_space(from.position.cast<double>()));
+                    field.locate(from.surface, rays.from_ray_space(from.position.cast<double>(), rays.frame(from.surface)));
                 if (!place) continue;
                 landed[k] = {place->triangle,
                              from.path,

@@ -89,6 +89,7 @@ LightParticles::LightParticles(const Scene& scene, const PatchMesh& mesh, const 
 
 LightParticles::Cone LightParticles::cone_from(const RayPoint& point) const {
     constexpr float near = 1.25f;  // radii: not worth a cone
+    if (rays_.frames() > 1) return {};
     const RayPoint to = centre_ - point;
     const float distance = to.norm();
     if (!(distance > near * radius_)) return {};
@@ -98,6 +99,7 @@ LightParticles::Cone LightParticles::cone_from(const RayPoint& point) const {
 
 struct LightParticles::Flight {
     RayPoint origin, direction;
+    FrameIndex frame = 0;
     std::array<float, 3> flux{};
     float dim_at = 0.0f;  // flux from which on chance ends it
     std::uint32_t path = 0;
@@ -133,6 +135,7 @@ struct LightParticles::Tracer {
         const PatchSampler sampler =
             make_sampler(from.mesh_, found->patch, from.scene_.surfaces[s].normal, from.rays_);
         flight.origin = sampler.at(coordinate(0), coordinate(1)) + from.rays_.lift(s) * normal;
+        flight.frame = sampler.frame;
         flight.aperture_at = 0.0f;
         float weight = per_particle;
         if (is_aimed(n)) {
@@ -203,6 +206,7 @@ struct LightParticles::Tracer {
             if (number(mix(stream, 0)) * flight.dim_at >= most) return false;
             for (float& flux : flight.flux) flux *= flight.dim_at / most;
         }
+        flight.frame = from.rays_.frame(s);
         flight.origin = at + from.rays_.lift(s) * from.normals_[s];
         flight.direction = cosine_direction(frame_about(from.normals_[s]), number(mix(stream, 1)),
                                             number(mix(stream, 2)));
@@ -223,6 +227,7 @@ struct LightParticles::Tracer {
                 batch.ox[k] = flight.origin.x(), batch.dx[k] = flight.direction.x();
                 batch.oy[k] = flight.origin.y(), batch.dy[k] = flight.direction.y();
                 batch.oz[k] = flight.origin.z(), batch.dz[k] = flight.direction.z();
+                batch.frame[k] = flight.frame;
             }
             from.rays_.land(batch, static_cast<int>(count), landed);
             rays += count;

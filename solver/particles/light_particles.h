@@ -12,7 +12,7 @@ namespace patchlight {
 
 /// Where a flight of a particle ended on a front.
 struct ParticleLanding {
-    RayPoint position;  // [ray space]
+    RayPoint position;  // in the frame of its surface [ray space]
     SurfaceIndex surface = 0;
     std::array<float, 3> flux{};  // that arrives with it [W]
     std::uint32_t path = 0;       // number of the particle

@@ -23,8 +23,9 @@ PatchLocator::PatchLocator(const Scene& scene, const PatchMesh& mesh, const RayS
         cells.first = mesh.first_of_surface[s];
         const PatchIndex end = mesh.first_of_surface[s + 1];
         cells.single = end - cells.first == 1;
-        if (cells.single || fit_grid(cells, scene.surfaces[s], mesh.grid[s], rays)) continue;
-        list_patches(cells, scene.surfaces[s], mesh, end, rays);
+        if (cells.single || fit_grid(cells, scene.surfaces[s], rays.frame(s), mesh.grid[s], rays))
+            continue;
+        list_patches(cells, s, scene.surfaces[s], mesh, end, rays);
     }
     list_starts_.push_back(static_cast<std::uint32_t>(lists_.size()));
 }
@@ -36,14 +37,14 @@ void PatchLocator::set_axes(Cells& cells, const Vec3& u, const Vec3& v) {
     cells.vz = static_cast<float>(v.z());
 }
 
-bool PatchLocator::fit_grid(Cells& cells, const Surface& surface,
+bool PatchLocator::fit_grid(Cells& cells, const Surface& surface, FrameIndex frame,
                             const std::array<std::uint32_t, 2>& grid, const RayScene& rays) const {
     if (grid[0] == 0) return false;
     const Vec3 u = (surface.corners[1] - surface.corners[0]) * rays.scale();
     const Vec3 v = (surface.corners[3] - surface.corners[0]) * rays.scale();
     const Vec3 misfit = (surface.corners[2] - surface.corners[0]) * rays.scale() - u - v;
     if (misfit.norm() > parallelogram * (u.norm() + v.norm())) return false;
-    const RayPoint origin = rays.to_ray_space(surface.corners[0]);
+    const RayPoint origin = rays.to_ray_space(surface.corners[0], frame);
     cells.ox = origin.x(), cells.oy = origin.y(), cells.oz = origin.z();
     const Vec3 normal = u.cross(v);
     const Vec3 dual_u = v.cross(normal), dual_v = normal.cross(u);
@@ -53,8 +54,8 @@ bool PatchLocator::fit_grid(Cells& cells, const Surface& surface,
     return true;
 }
 
-void PatchLocator::list_patches(Cells& cells, const Surface& surface, const PatchMesh& mesh,
-                                PatchIndex end, const RayScene& rays) {
+void PatchLocator::list_patches(Cells& cells, SurfaceIndex s, const Surface& surface,
+                                const PatchMesh& mesh, PatchIndex end, const RayScene& rays) {
     const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
     Eigen::AlignedBox2d box;
     for (const Vec3& p : surface.corners) box.extend(frame.flat(p));
@@ -67,7 +68,7 @@ void PatchLocator::list_patches(Cells& cells, const Surface& surface, const Patc
     cells.nv =
         static_cast<std::int32_t>(std::clamp(std::ceil(size.y() / edge), 1.0, finer * count));
     const Vec2 per_metre(cells.nu / size.x(), cells.nv / size.y());
-    const RayPoint origin = rays.to_ray_space(frame.lift(box.min()));
+    const RayPoint origin = rays.to_ray_space(frame.lift(box.min()), rays.frame(s));
     cells.ox = origin.x(), cells.oy = origin.y(), cells.oz = origin.z();
     set_axes(cells, frame.u * (per_metre.x() / rays.scale()),
              frame.v * (per_metre.y() / rays.scale()));

@@ -15,7 +15,7 @@ class PatchLocator {
   public:
     PatchLocator(const Scene& scene, const PatchMesh& mesh, const RayScene& rays);
 
-    /// A point off the surface by rounding gets the patch nearest to it.
+    /// In the frame of the surface; a point off it by rounding gets the patch nearest to it.
     PatchIndex find(SurfaceIndex s, float x, float y, float z) const {
         const Cells& cells = cells_[s];
         if (cells.single) return cells.first;
@@ -48,10 +48,10 @@ class PatchLocator {
         return i < 0 ? 0 : i >= n ? n - 1 : i;
     }
     static void set_axes(Cells& cells, const Vec3& u, const Vec3& v);
-    bool fit_grid(Cells& cells, const Surface& surface, const std::array<std::uint32_t, 2>& grid,
-                  const RayScene& rays) const;
-    void list_patches(Cells& cells, const Surface& surface, const PatchMesh& mesh, PatchIndex end,
-                      const RayScene& rays);
+    bool fit_grid(Cells& cells, const Surface& surface, FrameIndex frame,
+                  const std::array<std::uint32_t, 2>& grid, const RayScene& rays) const;
+    void list_patches(Cells& cells, SurfaceIndex s, const Surface& surface, const PatchMesh& mesh,
+                      PatchIndex end, const RayScene& rays);
     PatchIndex search(const Cells& cells, std::uint32_t first, std::uint32_t end, float u,
                       float v) const;
 

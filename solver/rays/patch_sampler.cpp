@@ -11,7 +11,7 @@
 namespace patchlight {
 
 namespace {
-constexpr double clear_of_edge = 4e-7;  // in ray space: several steps of float
+constexpr double clear_of_edge = 3.4;  // steps of float
 constexpr double largest_margin = 0.02;
 constexpr double parallelogram_misfit = 1e-6;  // of its size [1]
 }  // namespace
@@ -26,7 +26,8 @@ PatchSampler make_sampler(const PatchMesh& mesh, PatchIndex i, const Vec3& norma
     const double scale = rays.scale();
     sampler.parallelogram =
         !patch.is_triangle() && (e1 + e3 - e2).norm() <= parallelogram_misfit * e2.norm();
-    sampler.corner = rays.to_ray_space(p[0]);
+    sampler.frame = rays.frame(patch.surface);
+    sampler.corner = rays.to_ray_space(p[0], sampler.frame);
     sampler.first_edge = (e1 * scale).cast<float>();
     sampler.second_edge = ((sampler.parallelogram ? e3 : e2) * scale).cast<float>();
     sampler.third_edge = (e3 * scale).cast<float>();
@@ -38,8 +39,9 @@ PatchSampler make_sampler(const PatchMesh& mesh, PatchIndex i, const Vec3& norma
         const Vec3 along = p[(k + 1) % patch.corner_count()] - p[k];
         clear = std::min(clear, along.normalized().cross(patch.centre - p[k]).norm());
     }
-    sampler.centre = rays.to_ray_space(patch.centre);
-    sampler.margin = static_cast<float>(std::min(largest_margin, clear_of_edge / (clear * scale)));
+    sampler.centre = rays.to_ray_space(patch.centre, sampler.frame);
+    sampler.margin = static_cast<float>(
+        std::min(largest_margin, clear_of_edge * rays.step(patch.surface) / (clear * scale)));
     const PlaneFrame frame = frame_along(Vec3::Zero(), e1, normal);
     sampler.tangent = frame.u.cast<float>();
     sampler.bitangent = frame.v.cast<float>();

@@ -7,7 +7,7 @@
 
 namespace patchlight {
 
-/// Uniform points over a patch in ray space: its parallelogram, or its two triangles in proportion
+/// Uniform points over a patch in ray space, in the frame of its surface: its parallelogram, or its two triangles in proportion
 /// to their areas. Points keep clear of the edges by a few steps of float, so that no ray starts on
 /// a neighbour.
 struct PatchSampler {
@@ -18,6 +18,7 @@ struct PatchSampler {
     float first_share = 1.0f;                  // of the area that is triangle 0-1-2
     float margin = 0.0f;  // kept from the edges, a share of the way to the centre [1]
     bool parallelogram = false;
+    FrameIndex frame = 0;
 
     /// (u, v) in [0, 1)² to a point; areas are kept.
     RayPoint at(float u, float v) const;

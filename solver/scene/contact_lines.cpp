@@ -80,11 +80,14 @@ bool reaches_inside(const Surface& surface, const Segment& s, double reach) {
 
 }  // namespace
 
-std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene) {
-    const double reach = contact_distance(scene);
+std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene,
+                                                     const CoplanarOverlaps& overlaps,
+                                                     const std::function<bool()>& go_on) {
+    const LocalTolerance tolerance(scene);
     std::vector<std::vector<Segment>> lines(scene.surfaces.size());
     const auto add = [&](SurfaceIndex s, SurfaceIndex other) {
         const Surface &surface = scene.surfaces[s], &visitor = scene.surfaces[other];
+        const double reach = tolerance.between(s, other);
         for (const Segment& segment : meet_plane(surface, visitor, reach)) {
             const bool known = std::any_of(lines[s].begin(), lines[s].end(), [&](const Segment& l) {
                 return ((l[0] - segment[0]).norm() <= reach &&
@@ -96,16 +99,23 @@ std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene) {
     };
     // Visitors one after another by number, whichever way the scene is turned.
     std::vector<std::vector<SurfaceIndex>> visitors(scene.surfaces.size());
+    const auto covers = [&](SurfaceIndex s, SurfaceIndex other) {
+        const std::vector<SurfaceIndex>& known = overlaps.covered_by[s];
+        return std::binary_search(known.begin(), known.end(), other);
+    };
     const auto note = [&](SurfaceIndex s, SurfaceIndex other) {
-        if (!meet_plane(scene.surfaces[s], scene.surfaces[other], reach).empty())
+        if (covers(s, other) || covers(other, s)) return;
+        if (!meet_plane(scene.surfaces[s], scene.surfaces[other], tolerance.between(s, other))
+                 .empty())
             visitors[s].push_back(other);
     };
-    for_each_touching_pair(scene, reach, [&](SurfaceIndex a, SurfaceIndex b) {
+    for_each_touching_pair(scene, tolerance, go_on, [&](SurfaceIndex a, SurfaceIndex b) {
         note(a, b);
         note(b, a);
     });
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         std::sort(visitors[s].begin(), visitors[s].end());
+        if (go_on && !visitors[s].empty() && !go_on()) break;
         for (const SurfaceIndex other : visitors[s]) add(s, other);
     }
     return lines;

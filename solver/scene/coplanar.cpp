@@ -1,13 +1,11 @@
 #include "solver/scene/coplanar.h"
 
-#include "solver/scene/finding_words.h"
 #include "solver/scene/touching_pairs.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace patchlight {
@@ -37,19 +35,21 @@ double overlap_area(const std::array<Vec3, 3>& s, const std::array<Vec3, 3>& t, 
     return area;
 }
 
-std::vector<std::array<Vec3, 3>> triangles_of(const Surface& surface) {
+using Triangles = std::vector<std::array<Vec3, 3>>;
+
+Triangles triangles_of(const Surface& surface) {
     const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
     std::vector<Vec2> flat;
     for (const Vec3& p : surface.corners) flat.push_back(frame.flat(p));
-    std::vector<std::array<Vec3, 3>> triangles;
+    Triangles triangles;
     for (const auto& t : triangulate(flat))
         triangles.push_back({surface.corners[t[0]], surface.corners[t[1]], surface.corners[t[2]]});
     return triangles;
 }
 
-bool overlap(const Surface& a, const Surface& b, double reach) {
+/// Not where they are far apart along the normal even at their nearest corners.
+bool may_overlap(const Surface& a, const Surface& b, double reach) {
     if (std::abs(a.normal.dot(b.normal)) < 0.99) return false;
-    // Far apart along the normal even at their nearest corners: not in one plane.
     double nearest = std::numeric_limits<double>::infinity();
     double lowest = nearest, highest = -nearest;
     for (const Vec3& p : b.corners) {
@@ -57,26 +57,19 @@ bool overlap(const Surface& a, const Surface& b, double reach) {
         lowest = std::min(lowest, height);
         highest = std::max(highest, height);
     }
-    if (lowest > reach || highest < -reach) return false;
-    double area = 0.0;
-    const auto triangles_b = triangles_of(b);
-    for (const auto& s : triangles_of(a))
-        for (const auto& t : triangles_b) area += overlap_area(s, t, reach);
-    return area > least_overlap * std::min(a.area, b.area);
+    return lowest <= reach && highest >= -reach;
 }
 
-Finding overlap_finding(const Scene& scene, const Surface& above, const Surface& below) {
-    const std::string &top = scene.objects[above.object].name,
-                      &bottom = scene.objects[below.object].name;
-    const Surface& smaller = above.area < below.area ? above : below;
-    std::vector<std::string> objects{top};
-    if (bottom != top) objects.push_back(bottom);
-    return {"coplanar-overlap", std::move(objects),
-            (top == bottom ? "a polygon of " + quoted(top) + " lies in the plane of another of it"
-                           : quoted(top) + " lies in the plane of " + quoted(bottom)) +
-                " and, being listed later, covers it near " +
-                place_text(centroid(smaller.corners, smaller.normal), scene_size(scene)),
-            "raise it by more than 1e-6 of the scene's size, or cut the hole it fills", 1};
+bool overlap(const Surface& a, const Surface& b, const Triangles& triangles_a,
+             const Triangles& triangles_b, double reach) {
+    const double enough = least_overlap * std::min(a.area, b.area);
+    double area = 0.0;
+    for (const auto& s : triangles_a)
+        for (const auto& t : triangles_b) {
+            area += overlap_area(s, t, reach);
+            if (area > enough) return true;
+        }
+    return false;
 }
 
 }  // namespace
@@ -93,14 +86,22 @@ std::vector<Vec2> clip_left(const std::vector<Vec2>& polygon, const Vec2& a, con
     return kept;
 }
 
-CoplanarOverlaps find_coplanar_overlaps(const Scene& scene) {
+CoplanarOverlaps find_coplanar_overlaps(const Scene& scene, const std::function<bool()>& go_on) {
     const std::size_t n = scene.surfaces.size();
-    const double reach = contact_distance(scene);
+    std::vector<Triangles> known(n);  // of surfaces that were looked at
+    const auto triangles = [&](SurfaceIndex s) -> const Triangles& {
+        if (known[s].empty()) known[s] = triangles_of(scene.surfaces[s]);
+        return known[s];
+    };
+    const LocalTolerance tolerance(scene);
     CoplanarOverlaps overlaps{std::vector<std::vector<SurfaceIndex>>(n),
                               std::vector<std::vector<SurfaceIndex>>(n)};
-    for_each_touching_pair(scene, reach, [&](SurfaceIndex a, SurfaceIndex b) {
+    for_each_touching_pair(scene, tolerance, go_on, [&](SurfaceIndex a, SurfaceIndex b) {
         const Surface &first = scene.surfaces[a], &later = scene.surfaces[b];
-        if (!overlap(first, later, reach)) return;
+        const double reach = tolerance.between(a, b);
+        if (!may_overlap(first, later, reach) ||
+            !overlap(first, later, triangles(a), triangles(b), reach))
+            return;
         overlaps.partners[a].push_back(b);
         overlaps.partners[b].push_back(a);
         if (first.normal.dot(later.normal) > 0.0) overlaps.covered_by[a].push_back(b);
@@ -108,23 +109,6 @@ CoplanarOverlaps find_coplanar_overlaps(const Scene& scene) {
     for (auto& partners : overlaps.partners) std::sort(partners.begin(), partners.end());
     for (auto& covers : overlaps.covered_by) std::sort(covers.begin(), covers.end());
     return overlaps;
-}
-
-std::vector<Finding> overlap_findings(const Scene& scene, const CoplanarOverlaps& overlaps) {
-    std::map<std::pair<ObjectIndex, ObjectIndex>, std::size_t> number_of;
-    std::vector<Finding> findings;
-    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
-        for (const SurfaceIndex cover : overlaps.covered_by[s]) {
-            const Surface &below = scene.surfaces[s], &above = scene.surfaces[cover];
-            const auto [known, is_new] =
-                number_of.emplace(std::pair(above.object, below.object), findings.size());
-            if (!is_new) {
-                ++findings[known->second].count;
-                continue;
-            }
-            findings.push_back(overlap_finding(scene, above, below));
-        }
-    return findings;
 }
 
 }  // namespace patchlight

@@ -1,20 +1,23 @@
 #include "solver/scene/plane_groups.h"
 
+#include "solver/scene/local_tolerance.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <optional>
 
 namespace patchlight {
 
 namespace {
 
 constexpr double cell =
-    1e-3;  // of a normal's components, and of the scene's size, in the index [1]
+    1e-3;  // of a normal's components, and of a frame's size, in the index [1]
 constexpr double alike = 0.999;  // cosine between normals of one group, at least [1]
 
-using Key = std::array<std::int64_t, 4>;
+using Key = std::array<std::int64_t, 5>;
 
 /// The group's first surface stands for its plane.
 bool fits(const Surface& first, const Surface& other, double slack) {
@@ -28,20 +31,24 @@ bool fits(const Surface& first, const Surface& other, double slack) {
 
 PlaneGroups find_plane_groups(const Scene& scene) {
     PlaneGroups groups;
-    const double size = scene_size(scene), slack = 0.5 * contact_distance(scene);
-    if (!(size > 0.0)) return groups;
-    const Vec3 origin = scene.surfaces[0].corners[0];
+    const LocalTolerance tolerance(scene);
+    std::vector<std::optional<Vec3>> origins(tolerance.frames().size());  // first corner of each
     std::map<Key, std::vector<std::uint32_t>> index;  // groups by rounded plane
     groups.of_surface.reserve(scene.surfaces.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         const Surface& surface = scene.surfaces[s];
-        const double level = (surface.corners[0] - origin).dot(surface.normal) / size;
+        std::optional<Vec3>& origin = origins[tolerance.frame_of(s)];
+        if (!origin) origin = surface.corners[0];
+        const double level =
+            (surface.corners[0] - *origin).dot(surface.normal) / tolerance.frame(s).size();
         const Key key{std::llround(surface.normal.x() / cell),
                       std::llround(surface.normal.y() / cell),
-                      std::llround(surface.normal.z() / cell), std::llround(level / cell)};
+                      std::llround(surface.normal.z() / cell), std::llround(level / cell),
+                      tolerance.frame_of(s)};
         std::vector<std::uint32_t>& candidates = index[key];
         const auto found = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t g) {
-            return fits(scene.surfaces[groups.members[g][0]], surface, slack);
+            const SurfaceIndex first = groups.members[g][0];
+            return fits(scene.surfaces[first], surface, 0.5 * tolerance.between(first, s));
         });
         if (found != candidates.end()) {
             groups.of_surface.push_back(*found);

@@ -6,7 +6,7 @@
 
 namespace patchlight {
 
-/// Surfaces that face one way in one plane, to within half the contact distance. A wall that comes
+/// Surfaces that face one way in one plane, to within half the local tolerance. A wall that comes
 /// as a thousand quads is one group. Groups are numbered as their first surfaces come.
 struct PlaneGroups {
     std::vector<std::uint32_t> of_surface;

@@ -142,8 +142,6 @@ double scene_size(const Scene& scene) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-double contact_distance(const Scene& scene) { return 1e-6 * scene_size(scene); }
-
 bool is_grey(const Scene& scene) {
     return std::all_of(
         scene.materials.begin(), scene.materials.end(), [](const Material& material) {

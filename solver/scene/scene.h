@@ -38,6 +38,8 @@ struct Surface {
     ObjectIndex object = 0;
     std::uint32_t face = 0;   // number of the polygon, as given, within its object
     Side side = Side::front;  // `back`: the second half of a two-sided polygon
+    bool cut_from_larger = false;  // a piece of a polygon much larger than what is near it
+    double coarseness = 1.0;  // times as long as elsewhere its patches' edges may be: far geometry
 };
 
 /// A point at which irradiance is wanted.
@@ -77,9 +79,6 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
 
 /// Diagonal of the box round all surfaces [m].
 double scene_size(const Scene& scene);
-
-/// Surfaces no farther apart than this touch: 1e-6 of the scene's size [m].
-double contact_distance(const Scene& scene);
 
 /// All reflectances and exitances are grey: one channel carries all three.
 bool is_grey(const Scene& scene);

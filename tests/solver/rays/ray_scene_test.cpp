@@ -146,9 +146,9 @@ INSTANTIATE_TEST_SUITE_P(Land, OpposedQuads,
                          [](const auto& wall) { return wall.param.name; });
 
 TEST(Land, OnARugListedLaterItIsTheRug) {
-    for (const double gap : {0.0, 8e-7, -8e-7}) {  // above, below: within contact
+    for (const double gap : {0.0, 8e-7, -8e-7}) {  // of the rug: above, below, within contact
         Scene scene = room();
-        add(scene, rectangle(Vec3(0.25, 0.25, gap * std::sqrt(3.0)), 0.5 * x, 0.5 * y));
+        add(scene, rectangle(Vec3(0.25, 0.25, gap * std::sqrt(0.5)), 0.5 * x, 0.5 * y));
         const Caster rays(scene);
         EXPECT_EQ(rays.land(Vec3(0.5, 0.6, 0.7), -z).surface, 6u) << gap;
         EXPECT_EQ(rays.land(Vec3(0.3, 0.3, 0.7), -z).surface, 6u) << gap;
@@ -171,10 +171,57 @@ TEST(Lift, IsLargerThanContactWhereAnotherSurfaceLiesInThePlane) {
     Scene scene = room();
     add(scene, rectangle(Vec3(0.25, 0.25, 0), 0.5 * x, 0.5 * y));
     const Caster rays(scene);
-    EXPECT_GT(rays.rays.lift(0), rays.rays.contact());
-    EXPECT_GT(rays.rays.lift(6), rays.rays.contact());
+    const double contact = LocalTolerance(scene).between(0, 6) * rays.rays.scale();
+    EXPECT_GT(rays.rays.lift(0), contact);
+    EXPECT_GT(rays.rays.lift(6), contact);
     EXPECT_GT(rays.rays.lift(1), 0.0f);
-    EXPECT_LT(rays.rays.lift(1), rays.rays.contact());
+    EXPECT_LT(rays.rays.lift(1), contact);
+}
+
+struct FarRooms {
+    Scene alone = moved(room_with_box(), {4.0}), scene = alone;
+    Vec3 away{8e4, -6e4, 300.0};
+    FarRooms() {
+        for (const Surface& surface : moved(alone, {1.0, away}).surfaces) {
+            scene.surfaces.push_back(surface);
+            scene.objects.push_back({"far"});
+            scene.surfaces.back().object = static_cast<ObjectIndex>(scene.objects.size() - 1);
+        }
+    }
+};
+
+TEST(Frames, RaysInTwoRoomsFarApartLandAsInOne) {
+    const FarRooms rooms;
+    const Caster one(rooms.alone), two(rooms.scene);
+    ASSERT_EQ(two.rays.frames(), 2u);
+    const auto count = static_cast<SurfaceIndex>(rooms.alone.surfaces.size());
+    std::mt19937 chance(5);
+    for (int n = 0; n < 2000; ++n) {
+        const Vec3 p = 4.0 * Vec3(uniform(chance), uniform(chance), uniform(chance)),
+                   d = random_direction(chance);
+        const Hit hit = one.land(p, d), here = two.land(p, d), there = two.land(p + rooms.away, d);
+        EXPECT_EQ(here.landing, hit.landing);
+        EXPECT_EQ(there.landing, hit.landing);
+        if (hit.landing == Landing::escaped) continue;
+        EXPECT_EQ(here.surface, hit.surface);
+        EXPECT_EQ(there.surface, hit.surface + count);
+        EXPECT_LT((here.at - hit.at).norm(), 1e-6f);
+        EXPECT_LT((there.at - hit.at).norm(), 1e-6f);
+    }
+}
+
+TEST(Frames, SegmentsEndWhereSurfacesAreKnown) {
+    Scene scene = empty_scene();
+    add(scene, rectangle(Vec3::Zero(), x, y));               // looks up
+    add(scene, rectangle(Vec3(0, 0, 1e6), y, x));            // looks down on it
+    const Caster rays(scene);
+    ASSERT_EQ(rays.rays.frames(), 2u);
+    const double off = 1e-5;
+    EXPECT_FALSE(rays.blocked(Vec3(0.3, 0.4, off), Vec3(0.6, 0.7, 1e6 - off)));
+    EXPECT_TRUE(rays.blocked(Vec3(0.3, 0.4, off), Vec3(0.6, 0.7, 1e6 + off)));
+    EXPECT_TRUE(rays.blocked(Vec3(0.3, 0.4, -off), Vec3(0.6, 0.7, 1e6 - off)));
+    EXPECT_FALSE(rays.blocked(Vec3(0.3, 0.4, off), Vec3(0.3, 0.4, 0.5)));
+    EXPECT_EQ(rays.land(Vec3(0.3, 0.4, 0.1), z).surface, 1u);
 }
 
 TEST(Blocked, ABoxStandsInTheWay) {

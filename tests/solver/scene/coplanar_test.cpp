@@ -14,7 +14,7 @@ using Surfaces = std::vector<SurfaceIndex>;
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
 
 Polygon floor_at(double height) { return rectangle(Vec3(0, 0, height), x, y); }
-Polygon rug_at(double height) { return rectangle(Vec3(0.3, 0.3, height), 0.3 * x, 0.2 * y); }
+Polygon rug_at(double height) { return rectangle(Vec3(0.3, 0.3, height), 0.3 * x, 0.4 * y); }
 
 CoplanarOverlaps overlaps_of(const std::vector<Polygon>& polygons) {
     return find_coplanar_overlaps(scene_of(polygons));
@@ -73,8 +73,8 @@ TEST(CoplanarOverlaps, BothSidesOfATwoSidedPolygonArePartners) {
     EXPECT_EQ(find_coplanar_overlaps(scene).partners[0], Surfaces{1});
 }
 
-TEST(CoplanarOverlaps, ReachAMillionthOfTheSceneAndNoFarther) {
-    const double contact = 1e-6 * std::sqrt(2.0);  // the floor alone sets the scene's size
+TEST(CoplanarOverlaps, ReachAMillionthOfTheSmallerOneAndNoFarther) {
+    const double contact = 1e-6 * std::hypot(0.3, 0.4);
     for (const double scale : {1e-4, 1.0, 1e6})
         for (const double side : {-1.0, 1.0}) {
             const auto overlap = [&](double height) {
@@ -96,21 +96,6 @@ TEST(CoplanarOverlaps, AreFoundInAnyPlane) {
 TEST(CoplanarOverlaps, WallsOfARoomHaveNone) {
     const CoplanarOverlaps overlaps = find_coplanar_overlaps(room());
     for (SurfaceIndex s = 0; s < 6; ++s) EXPECT_FALSE(overlaps.any(s)) << s;
-}
-
-TEST(OverlapFindings, NameTheCoverFirstAndEachPairOnce) {
-    Scene scene = scene_of(floor_at(0));
-    scene.objects[0].name = "floor";
-    scene.objects.push_back({"rugs"});
-    for (const double at : {0.1, 0.5})
-        add_polygon(scene, 1, white, 0, rectangle(Vec3(at, 0.3, 0), 0.3 * x, 0.3 * y), "");
-    add(scene, reversed(floor_at(0)));  // an opposed partner is nothing to report
-    const std::vector<Finding> findings = overlap_findings(scene, find_coplanar_overlaps(scene));
-    ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(findings[0].kind, "coplanar-overlap");
-    EXPECT_EQ(findings[0].objects, (std::vector<std::string>{"rugs", "floor"}));
-    EXPECT_EQ(findings[0].count, 2u);
-    EXPECT_NE(findings[0].detail.find("near (0.25, 0.45, 0) m"), std::string::npos);
 }
 
 TEST(ClipLeft, KeepsWhatIsLeftOfTheLine) {
