@@ -11,6 +11,7 @@
 #include "solver/findings/singularity.h"
 #include "solver/findings/slivers.h"
 #include "solver/findings/small_emitters.h"
+#include "solver/findings/wasted_light.h"
 #include "solver/solve_plan.h"
 #include "solver/solve_scene.h"
 
@@ -102,6 +103,7 @@ std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& over
     std::vector<Finding> findings = find_geometry_flaws(scene, overlaps, rays, planned.seed);
     const FlawSearch search{scene, overlaps, rays, planned.seed};
     append(findings, emitter_findings(scene));
+    append(findings, find_wasted_light(search));
     append(findings, find_small_emitters(search, planned));
     append(findings, find_singularity(search));
     return findings;
