@@ -26,6 +26,11 @@ void append(std::vector<Finding>& findings, std::vector<Finding> more) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));
 }
 
+bool is_told_of(const std::vector<Finding>& findings, const char* kind) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [&](const Finding& finding) { return finding.kind == kind; });
+}
+
 std::vector<Finding> emitter_findings(const Scene& scene) {
     const bool lit = std::any_of(
         scene.surfaces.begin(), scene.surfaces.end(),
@@ -103,7 +108,7 @@ std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& over
     std::vector<Finding> findings = find_geometry_flaws(scene, overlaps, rays, planned.seed);
     const FlawSearch search{scene, overlaps, rays, planned.seed};
     append(findings, emitter_findings(scene));
-    append(findings, find_wasted_light(search));
+    append(findings, find_wasted_light(search, is_told_of(findings, "flipped-normals")));
     append(findings, find_small_emitters(search, planned));
     append(findings, find_singularity(search));
     return findings;

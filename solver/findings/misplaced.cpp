@@ -1,5 +1,6 @@
 #include "solver/findings/misplaced.h"
 
+#include "solver/findings/surface_tree.h"
 #include "solver/findings/walkers.h"
 #include "solver/rays/low_discrepancy.h"
 #include "solver/scene/finding_words.h"
@@ -25,6 +26,7 @@ constexpr std::size_t names_at_most = 10;
 struct View {
     int fronts = 0;
     int backs = 0;
+    int both = 0;  // fronts that a back coincides with: the floor under a cupboard, from within
     std::map<SurfaceIndex, int> backs_of{};
 };
 
@@ -40,6 +42,18 @@ RayPoint direction(const RayPoint& normal, Part part, std::uint64_t seed) {
     return is_before == (part == Part::before) ? way : RayPoint(-way);
 }
 
+/// Whether a surface that faces the other way lies at a point of surface s.
+bool has_back_behind(const FlawSearch& search, SurfaceIndex s, const Vec3& p) {
+    constexpr double reach = 1e-4;  // of the surface's size: where a ray lands is rounded [1]
+    const std::vector<Surface>& surfaces = search.scene.surfaces;
+    return std::any_of(search.overlaps.partners[s].begin(), search.overlaps.partners[s].end(),
+                       [&](SurfaceIndex other) {
+                           return surfaces[other].normal.dot(surfaces[s].normal) < 0.0 &&
+                                  (nearest_point(surfaces[other], p) - p).norm() <=
+                                      reach * std::sqrt(surfaces[s].area);
+                       });
+}
+
 /// Ends as soon as a front is seen.
 View look(const FlawSearch& search, const Vec3& point, const RayPoint& normal, Part part,
           std::uint64_t seed) {
@@ -47,7 +61,7 @@ View look(const FlawSearch& search, const Vec3& point, const RayPoint& normal, P
         search.rays.to_ray_space(point) + off_contact * search.rays.contact() * normal;
     View view;
     for (int first = 0; first < all_looks && view.fronts == 0; first += ray_batch) {
-        if (first >= first_looks && view.backs == 0 && part == Part::before) break;
+        if (first >= first_looks && view.backs + view.both == 0 && part == Part::before) break;
         RayBatch batch{};
         for (int k = 0; k < ray_batch; ++k) {
             const RayPoint way =
@@ -58,10 +72,16 @@ View look(const FlawSearch& search, const Vec3& point, const RayPoint& normal, P
         LandingBatch landings{};
         search.rays.land(batch, ray_batch, landings);
         for (int k = 0; k < ray_batch; ++k) {
-            view.fronts += landings.landing[k] == Landing::front;
-            if (landings.landing[k] != Landing::back) continue;
-            ++view.backs;
-            ++view.backs_of[landings.surface[k]];
+            if (landings.landing[k] == Landing::escaped) continue;
+            const SurfaceIndex s = landings.surface[k];
+            if (landings.landing[k] == Landing::back) {
+                ++view.backs;
+                ++view.backs_of[s];
+                continue;
+            }
+            const Vec3 at = search.rays.from_ray_space(
+                RayPoint(landings.x[k], landings.y[k], landings.z[k]).cast<double>());
+            ++(has_back_behind(search, s, at) ? view.both : view.fronts);
         }
     }
     return view;
@@ -77,7 +97,7 @@ bool is_misplaced(const FlawSearch& search, const Sensor& sensor, std::uint64_t 
     for (const Part part : {Part::before, Part::behind}) {
         const View view = look(search, sensor.position, normal, part, seed);
         if (view.fronts > 0) return false;
-        if (view.backs > 0) return true;
+        if (view.backs + view.both > 0) return view.backs > view.both;
     }
     return false;
 }
@@ -144,7 +164,7 @@ std::vector<Finding> misplaced_findings(const FlawSearch& search,
                             out});
     for (std::size_t k = 0; k < viewpoints.size(); ++k) {
         const View view = look_around(search, viewpoints[k], mix(mix(search.seed, 0x76696577), k));
-        if (view.fronts > 0 || view.backs == 0) continue;
+        if (view.fronts > 0 || view.backs <= view.both) continue;
         findings.push_back({"camera-misplaced",
                             {most_met(search, view)},
                             "the camera " + quoted(viewpoints[k].name) +

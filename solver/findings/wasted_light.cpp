@@ -29,7 +29,7 @@ class WastedLight {
   public:
     explicit WastedLight(const FlawSearch& search) : search_(search), light_(search) {}
 
-    std::vector<Finding> find() const {
+    std::vector<Finding> find(bool backs_are_told) const {
         std::map<ObjectIndex, std::vector<SurfaceIndex>> lamps;
         for (SurfaceIndex s = 0; s < search_.scene.surfaces.size(); ++s)
             if (light_.gives_light(s)) lamps[search_.scene.surfaces[s].object].push_back(s);
@@ -38,7 +38,8 @@ class WastedLight {
         for (const auto& [object, surfaces] : lamps) {
             if (++looked_at > most_lamps) break;
             const Fate fate = fate_of(surfaces);
-            if (fate.fronts > 0 || lights_a_sensor(surfaces) || reaches_a_front(surfaces)) continue;
+            if (fate.fronts > 0 || (fate.backs > 0 && backs_are_told)) continue;
+            if (lights_a_sensor(surfaces) || reaches_a_front(surfaces)) continue;
             findings.push_back(finding_of(object, fate));
         }
         return findings;
@@ -141,8 +142,8 @@ class WastedLight {
 
 }  // namespace
 
-std::vector<Finding> find_wasted_light(const FlawSearch& search) {
-    return WastedLight(search).find();
+std::vector<Finding> find_wasted_light(const FlawSearch& search, bool backs_are_told) {
+    return WastedLight(search).find(backs_are_told);
 }
 
 }  // namespace patchlight

@@ -5,6 +5,7 @@
 #include "solver/scene/polygon_with_holes.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
