@@ -16,8 +16,10 @@ namespace {
 using Box = Eigen::AlignedBox3d;
 
 std::string rounded_text(double number) {
-    const double step = std::pow(10.0, std::floor(std::log10(number)) - 2.0);
-    return number_text(std::round(number / step) * step);
+    const double digits = 2.0 - std::floor(std::log10(number));  // behind the point, or before it
+    const double power = std::pow(10.0, std::abs(digits));
+    return number_text(digits >= 0.0 ? std::round(number * power) / power
+                                     : std::round(number / power) * power);
 }
 
 /// Half the objects are larger: one plane far out does not make a scene large.
