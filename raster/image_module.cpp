@@ -35,6 +35,7 @@ std::vector<fs::path> candidates() {
 /// The outcome of looking for the module, once per process.
 struct Search {
     PatchlightEncodeImage encoder = nullptr;
+    PatchlightMeanColour averager = nullptr;
     std::string tried;  // a line for each file that did not do
 
     Search() noexcept {
@@ -50,10 +51,15 @@ struct Search {
     bool load(const fs::path& path) {
         // Never closed: the libraries behind it do not survive that.
         void* const module = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-        void* const symbol = module ? ::dlsym(module, patchlight_encode_image_name) : nullptr;
-        encoder = reinterpret_cast<PatchlightEncodeImage>(symbol);
-        if (!encoder) tried += "\n  " + path.string() + ": " + ::dlerror();
-        return encoder != nullptr;
+        const auto find = [&](const char* name) {
+            return module ? ::dlsym(module, name) : nullptr;
+        };
+        encoder = reinterpret_cast<PatchlightEncodeImage>(find(patchlight_encode_image_name));
+        if (encoder)
+            averager = reinterpret_cast<PatchlightMeanColour>(find(patchlight_mean_colour_name));
+        if (averager) return true;
+        tried += "\n  " + path.string() + ": " + ::dlerror();
+        return false;
     }
 };
 
@@ -104,11 +110,19 @@ void preload_image_codec() {
     static_cast<void>(wait);
 }
 
-PatchlightEncodeImage image_encoder() {
-    const Search& found = search();
-    if (!found.encoder)
-        throw std::runtime_error("the image module cannot be loaded; tried" + found.tried);
-    return found.encoder;
+namespace {
+
+const Search& found() {
+    const Search& result = search();
+    if (!result.averager)
+        throw std::runtime_error("the image module cannot be loaded; tried" + result.tried);
+    return result;
 }
+
+}  // namespace
+
+PatchlightEncodeImage image_encoder() { return found().encoder; }
+
+PatchlightMeanColour image_averager() { return found().averager; }
 
 }  // namespace patchlight::raster

@@ -5,7 +5,7 @@
 namespace patchlight::raster {
 
 // OpenImageIO takes a quarter of a second and 130 MB to load, so it is linked by a module of its
-// own, patchlight_image.so, that is loaded when a picture is to be encoded. It is the file named by
+// own, patchlight_image.so, that is loaded when a picture is to be encoded or read. It is the file named by
 // the environment variable PATCHLIGHT_IMAGE_MODULE; if that is not set, the first of
 // patchlight_image.so beside the program, in ../lib/patchlight from there, where it was installed,
 // where it was built.
@@ -17,8 +17,9 @@ namespace patchlight::raster {
 /// libraries start threads.
 void preload_image_codec();
 
-/// The module's function, loaded now or waited for. Throws std::runtime_error naming the files
+/// The module's functions, loaded now or waited for. They throw std::runtime_error naming the files
 /// tried if there is none.
 PatchlightEncodeImage image_encoder();
+PatchlightMeanColour image_averager();
 
 }  // namespace patchlight::raster

@@ -29,7 +29,33 @@ std::string unknown_option(const CLI::App& command, const std::string& argument)
     return "unknown option " + in_quotes(option) + suggestion(option, known);
 }
 
+const CLI::App* command_of(const CLI::App& program, const std::vector<std::string>& words) {
+    for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+        if (!words.empty() && command->get_name() == words.front()) return command;
+    return nullptr;
+}
+
+/// Whether a word is meant as an option: a number may begin with a minus, too.
+bool names_option(const CLI::App& command, const std::string& word) {
+    return word.starts_with("--") || (is_option(word) && command.get_option_no_throw(word));
+}
+
 }  // namespace
+
+std::string option_for_value(const CLI::App& program, int count, const char* const* arguments) {
+    const std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);
+    const CLI::App* const command = command_of(program, words);
+    if (!command) return "";
+    for (std::size_t k = 1; k + 1 < words.size(); ++k) {
+        const CLI::Option* const option =
+            is_option(words[k]) ? command->get_option_no_throw(words[k]) : nullptr;
+        const bool needs_value = option && option->get_items_expected_min() > 0;
+        if (!needs_value || !names_option(*command, words[k + 1])) continue;
+        return words[k] + ": needs " + option->get_type_name() + " after it, not the option " +
+               in_quotes(words[k + 1]) + "; what is called so is written './" + words[k + 1] + "'";
+    }
+    return "";
+}
 
 std::string unknown_argument(const CLI::App& program, int count, const char* const* arguments) {
     const std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);

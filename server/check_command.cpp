@@ -1,5 +1,6 @@
 #include "server/check_command.h"
 
+#include "server/misplaced_things.h"
 #include "server/scene_file.h"
 #include "server/summary.h"
 #include "solver/solve_scene.h"
@@ -7,6 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <utility>
+#include <vector>
 
 namespace patchlight::server {
 
@@ -28,6 +31,8 @@ int CheckCommand::run() const {
     settings_.naming_culprit(shown_path(scene_),
                              [&] { cost = estimate_cost(job.scene, job.settings); });
     const Scene& scene = job.scene;
+    std::vector<Finding> findings = find_flaws(scene, job.settings);
+    for (Finding& finding : find_misplaced(job).findings) findings.push_back(std::move(finding));
     std::cout << "scene:     objects " << scene.objects.size() << ", polygons "
               << scene.surfaces.size() << ", materials " << scene.materials.size() << ", cameras "
               << job.cameras.size() << ", sensors " << scene.sensors.size() << "\n"
@@ -38,7 +43,7 @@ int CheckCommand::run() const {
                       : "")
               << "\n"
               << "time:      about " << rounded(cost.seconds) << " s on two cores\n"
-              << finding_lines(find_flaws(scene, job.settings));
+              << finding_lines(findings);
     return 0;
 }
 

@@ -64,6 +64,8 @@ int run(int count, const char* const* arguments) {
     CLI::App* const serve_asked = serve.add_to(program);
     CLI::App* const health_asked = health.add_to(program);
     CLI::App* const selftest_asked = selftest.add_to(program);
+    if (const std::string slip = option_for_value(program, count, arguments); !slip.empty())
+        return fail(wrong_input, slip);
     try {
         program.parse(count, arguments);
     } catch (const CLI::ParseError& request) {

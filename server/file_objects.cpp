@@ -1,5 +1,6 @@
 #include "server/file_objects.h"
 
+#include "server/file_camera.h"
 #include "server/files/geometry_file.h"
 #include "server/materials_json.h"
 #include "server/utf8_text.h"
@@ -38,6 +39,14 @@ void require_in_reach(std::span<const Vec3> corners) {
         if (!(corner.array().abs() <= largest_coordinate).all())
             throw InputError("", "a corner lies at " + number_text(corner.cwiseAbs().maxCoeff()) +
                                      " m; coordinates must be within 1e9 m of the origin");
+}
+
+/// Not so for one that lies out of reach, or that a slanted scale has laid flat.
+bool spans_a_view(const raster::Camera& camera) {
+    constexpr double least_sine = 1e-6;
+    const Vec3 view = camera.look_at - camera.eye;
+    return (camera.eye.array().abs() <= largest_coordinate).all() && view.norm() > 0.5 &&
+           view.cross(camera.up).norm() > least_sine;
 }
 
 }  // namespace
@@ -80,6 +89,7 @@ void FileObjects::add(const JsonValue& place, const Heritage& given, UniqueNames
     if (!std::exchange(file.is_remarked, true)) tell(geometry.remarks, own.path);
     if (!own.material && !std::exchange(file.is_remarked_on_materials, true))
         tell(geometry.about_materials, own.path);
+    for (const FileCamera& camera : geometry.cameras) add_camera(camera, own.to_scene);
     const std::vector<Vec3> vertices = placed(geometry, own.to_scene);
     for (const FilePart& part : geometry.parts) {
         Heritage at = own;
@@ -120,8 +130,10 @@ MaterialIndex FileObjects::material_of(OpenFile& file, const FileFace& face, con
     return *known;
 }
 
-MaterialIndex FileObjects::import_material(const FileMaterial& given) {
-    remarks_.look_at(given);
+MaterialIndex FileObjects::import_material(const FileMaterial& read) {
+    FileMaterial given = read;
+    const PaintReport textures = textures_.paint(given);
+    remarks_.look_at(given, textures);
     Material material;
     material.name = given.name.empty() ? "default" : given.name;
     material.reflectance = given.reflectance.value_or(Rgb::Constant(reflectance_of_unknown));
@@ -130,6 +142,17 @@ MaterialIndex FileObjects::import_material(const FileMaterial& given) {
     material.exitance = std::numbers::pi * given.radiance;
     material.two_sided = given.two_sided;
     return names_.add(std::move(material));
+}
+
+void FileObjects::add_camera(const FileCamera& given, const Eigen::Affine3d& to_scene) {
+    constexpr std::size_t most = 1000;
+    if (cameras_.size() >= most) return;
+    NamedCamera named = placed_camera(given, to_scene);
+    if (!spans_a_view(named.camera)) return;
+    const std::string wanted = named.name;
+    for (std::size_t number = 2; !camera_names_.insert(named.name).second; ++number)
+        named.name = wanted + "#" + std::to_string(number);
+    cameras_.push_back(std::move(named));
 }
 
 void FileObjects::tell(const std::vector<Finding>& remarks, const std::string& path) {

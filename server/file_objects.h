@@ -1,8 +1,10 @@
 #pragma once
 
 #include "server/files/imported_geometry.h"
+#include "server/files/texture_mean.h"
 #include "server/heritage.h"
 #include "server/import_remarks.h"
+#include "server/job.h"
 #include "server/json_value.h"
 #include "server/material_names.h"
 #include "server/unique_names.h"
@@ -13,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 namespace patchlight::server {
@@ -32,6 +35,9 @@ class FileObjects {
     /// Adds the parts of the file as objects at and below the path of `own`.
     void add(const JsonValue& file, const Heritage& own, UniqueNames& paths);
 
+    /// Of the files that were added, where these were put, under names of their own.
+    const std::vector<NamedCamera>& cameras() const { return cameras_; }
+
   private:
     struct OpenFile {
         ImportedGeometry geometry;
@@ -45,6 +51,7 @@ class FileObjects {
                   std::span<const Vec3> vertices);
     MaterialIndex material_of(OpenFile& file, const FileFace& face, const Heritage& own);
     MaterialIndex import_material(const FileMaterial& material);
+    void add_camera(const FileCamera& given, const Eigen::Affine3d& to_scene);
     void tell(const std::vector<Finding>& remarks, const std::string& path);
 
     std::optional<std::filesystem::path> directory_;
@@ -52,8 +59,11 @@ class FileObjects {
     Scene& scene_;
     MaterialNames& names_;
     ImportRemarks remarks_;  // on the file that is being added
-    std::size_t declared_;   // materials the scene itself has
+    TextureMeans textures_;
+    std::size_t declared_;  // materials the scene itself has
     std::map<std::string, OpenFile> files_;
+    std::vector<NamedCamera> cameras_;
+    std::unordered_set<std::string> camera_names_;
 };
 
 }  // namespace patchlight::server

@@ -15,7 +15,7 @@ struct Placement {
 };
 
 /// Adds one polygon, [[x, y, z], …]. If the placement mirrors, its front stays its front.
-void read_polygon(const JsonValue& polygon, const Placement& placement, Scene& scene);
+void read_polygon(const JsonValue& body, const Placement& placement, Scene& scene);
 
 /// Adds an indexed face set, {"vertices": […], "faces": […]}, in the same way.
 void read_mesh(const JsonValue& mesh, const Placement& placement, Scene& scene);

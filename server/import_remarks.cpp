@@ -18,15 +18,20 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-void ImportRemarks::look_at(const FileMaterial& material) {
+void ImportRemarks::look_at(const FileMaterial& material, const PaintReport& textures) {
     if (material.name.empty() && !material.reflectance)
         has_nameless_ = true;
     else if (!material.reflectance)
         without_reflectance_.push_back(material.name);
     else if ((*material.reflectance >= 1.0).any())
         too_bright_.push_back(material.name);
-    if (material.has_texture) textured_.push_back(material.name);
+    if (textures.is_averaged) averaged_.push_back(material.name);
+    if (!textures.problem.empty()) {
+        if (unpainted_.empty()) why_unpainted_ = textures.problem;
+        unpainted_.push_back(material.name);
+    }
     if (material.is_transparent) transparent_.push_back(material.name);
+    if (material.is_metal) metals_.push_back(material.name);
 }
 
 std::vector<Finding> ImportRemarks::findings(const std::string& path,
@@ -47,10 +52,15 @@ std::vector<Finding> ImportRemarks::findings(const std::string& path,
          "give the object a `material`, or the scene materials of the same names");
     tell("reflectance-clamped", too_bright_, "that reflect all light or more are read as 0.99",
          "give them a reflectance below 1: white paint has about 0.85");
-    tell("texture-ignored", textured_, "have textures, which are left out; plain colours count",
-         "give them the mean colours of their textures");
+    tell("texture-averaged", averaged_, "have textures, of which the mean colours count",
+         "nothing, unless bright and dark parts matter: then split the surface");
+    tell("texture-ignored", unpainted_,
+         "have textures that are left out (" + why_unpainted_ + "); plain colours count",
+         "put the pictures beside the file, or give the materials their mean colours");
     tell("transparency-ignored", transparent_, "let light through; they are taken for opaque",
          "leave out what light should pass");
+    tell("metal-as-diffuse", metals_, "are metals; all that they reflect is taken as diffuse",
+         "give the scene materials of the same names, if they should be darker");
     return found;
 }
 

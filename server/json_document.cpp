@@ -33,6 +33,63 @@ std::string plain_message(std::string message) {
     return message;
 }
 
+bool is_in(const std::string& message, std::string_view words) {
+    return message.find(words) != std::string::npos;
+}
+
+/// The last letter before a place that is no blank; 0 if there is none.
+char letter_before(std::string_view bytes, std::size_t offset) {
+    const std::size_t last = bytes.substr(0, offset).find_last_not_of(" \t\r\n");
+    return last == std::string_view::npos ? '\0' : bytes[last];
+}
+
+/// Where the word begins whose end the parser complains of.
+std::size_t begin_of_word(std::string_view bytes, std::size_t offset, const std::string& message) {
+    std::size_t begin = std::min(offset, bytes.size());
+    if (is_in(message, "unexpected string literal") && begin > 0 && begin < bytes.size()) {
+        const std::size_t quote = bytes.rfind('"', begin - 1);
+        return quote == std::string_view::npos ? begin : quote;
+    }
+    const auto is_word = [](char letter) {
+        return (letter >= '0' && letter <= '9') || (letter >= 'a' && letter <= 'z') ||
+               (letter >= 'A' && letter <= 'Z') || letter == '.' || letter == '-' || letter == '+';
+    };
+    while (begin > 0 && begin < bytes.size() && is_word(bytes[begin]) && is_word(bytes[begin - 1]))
+        --begin;
+    return begin;
+}
+
+/// What would be right, where a common slip explains what the parser met.
+std::string remedy_of(const std::string& message, std::string_view bytes, std::size_t offset) {
+    const std::string_view rest = bytes.substr(std::min(offset, bytes.size()));
+    const char before = letter_before(bytes, begin_of_word(bytes, offset, message));
+    const bool at_end = is_in(message, "unexpected end of input");
+    if (at_end && is_in(message, "missing closing quote")) return "";
+    if (at_end) return "; the document ends too early: a closing } or ] is missing";
+    if (before == ',' && (rest.starts_with('}') || rest.starts_with(']')))
+        return "; no comma may stand before a closing bracket";
+    const bool is_separator = is_in(message, "expected ']'") || is_in(message, "expected '}'");
+    const bool is_value = is_in(message, "unexpected string literal") ||
+                          is_in(message, "unexpected number literal") ||
+                          is_in(message, "unexpected '['") || is_in(message, "unexpected '{'") ||
+                          is_in(message, "unexpected true") || is_in(message, "unexpected false");
+    if (is_separator && is_value) return "; a comma is missing before this";
+    if (is_in(message, "expected ':'") || is_in(message, "object separator"))
+        return "; a colon must stand between a key and its value";
+    const std::string_view word = bytes.substr(begin_of_word(bytes, offset, message));
+    if (word.starts_with("//") || word.starts_with("/*") || word.starts_with('/') ||
+        word.starts_with('#'))
+        return "; JSON has no comments";
+    if (word.starts_with('\'')) return "; texts stand in double quotes";
+    for (const std::string_view no_number : {"NaN", "nan", "Infinity", "inf", "-inf", "-Infinity"})
+        if (word.starts_with(no_number)) return "; every number must be finite";
+    for (const std::string_view capital : {"True", "False", "None", "TRUE", "FALSE"})
+        if (word.starts_with(capital)) return "; write true, false or null in small letters";
+    if (is_in(message, "expected string literal") || is_in(message, "object key"))
+        return "; a key stands in double quotes";
+    return "";
+}
+
 /// The parser has one code for all it finds wrong; its words tell more.
 JsonFault fault_of(const std::string& message) {
     for (const char* const word : {"UTF-8", "surrogate"})
@@ -83,7 +140,8 @@ class DocumentBuilder : public nlohmann::json_sax<nlohmann::json> {
         if (failure.id == number_overflow)
             throw error_at(JsonFault::number_range, bytes_, offset, "number out of range");
         const std::string message = plain_message(failure.what());
-        throw error_at(fault_of(message), bytes_, offset, message);
+        throw error_at(fault_of(message), bytes_, offset,
+                       message + remedy_of(message, bytes_, offset));
     }
 
   private:

@@ -4,6 +4,7 @@
 #include "server/wording.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -35,6 +36,25 @@ std::string type_name(const nlohmann::json& value) {
     throw std::logic_error("JSON text has no such type");
 }
 
+/// "; write 0.5 without quotes" where a text is a number all the same, a percentage for instance.
+std::string number_meant(std::string_view text) {
+    const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t'; };
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    std::string plain(text.substr(text.starts_with('+') ? 1 : 0));
+    if (std::count(plain.begin(), plain.end(), ',') == 1 && plain.find('.') == plain.npos)
+        std::replace(plain.begin(), plain.end(), ',', '.');
+    double number = 0.0;
+    const char* const end = plain.data() + plain.size();
+    const auto read = std::from_chars(plain.data(), end, number);
+    if (read.ec != std::errc() || !std::isfinite(number)) return "";
+    std::string_view unit(read.ptr, static_cast<std::size_t>(end - read.ptr));
+    while (!unit.empty() && is_blank(unit.front())) unit.remove_prefix(1);
+    if (unit.empty()) return "; write " + number_text(number) + " without quotes";
+    if (unit == "%") return "; write " + number_text(number / 100.0) + ", without quotes and %";
+    return "; write " + number_text(number) + ", without a unit: `units` say what it is in";
+}
+
 std::string range_text(const Range& range) {
     const std::string low = (range.low_open ? "above " : "at least ") + number_text(range.low);
     const std::string high = (range.high_open ? "below " : "at most ") + number_text(range.high);
@@ -43,9 +63,30 @@ std::string range_text(const Range& range) {
     return low + " and " + high;
 }
 
+/// A share in per cent where one of 1 is due.
+std::string share_meant(const Range& range, double number) {
+    const bool is_share = range.low == 0.0 && range.high == 1.0;
+    if (!is_share || !(number > 1.0 && number < 100.0)) return "";
+    return "; " + number_text(number) + " % is " + number_text(number / 100.0);
+}
+
 bool contains(const Range& range, double number) {
     return (range.low_open ? number > range.low : number >= range.low) &&
            (range.high_open ? number < range.high : number <= range.high);
+}
+
+/// What was probably meant by a value of the wrong type.
+std::string type_hint(const nlohmann::json& value, const std::string& wanted) {
+    if (wanted == "a number" && value.is_string())
+        return number_meant(value.get_ref<const std::string&>());
+    if (wanted == "a number" && value.is_array() && value.size() == 1 && value[0].is_number())
+        return "; write " + value[0].dump() + " without brackets";
+    if (wanted == "true or false" && value.is_string() && (value == "true" || value == "false"))
+        return "; write " + value.get<std::string>() + " without quotes";
+    if (wanted == "true or false" && value.is_number() && (value == 0 || value == 1))
+        return value == 0 ? "; write false" : "; write true";
+    if (wanted == "an array" && value.is_object() && !value.empty()) return "; write [ ] around it";
+    return "";
 }
 
 }  // namespace
@@ -60,7 +101,7 @@ std::string JsonValue::pointer() const {
 void JsonValue::reject(const std::string& detail) const { throw InputError(pointer(), detail); }
 
 void JsonValue::reject_type(const std::string& wanted) const {
-    reject("must be " + wanted + ", not " + type_name(value_));
+    reject("must be " + wanted + ", not " + type_name(value_) + type_hint(value_, wanted));
 }
 
 void JsonValue::require_map() const {
@@ -100,7 +141,8 @@ double JsonValue::number(const Range& range) const {
     const double number = value_.get<double>();
     if (!std::isfinite(number)) reject("must be finite");
     if (!contains(range, number))
-        reject("must be " + range_text(range) + ", not " + number_text(number));
+        reject("must be " + range_text(range) + ", not " + number_text(number) +
+               share_meant(range, number));
     return number;
 }
 

@@ -36,7 +36,7 @@ Vec3 read_direction(const JsonValue& value) {
 }
 
 Rgb read_channels(const JsonValue& value, const Range& range) {
-    if (value.is_number()) return Rgb::Constant(value.number(range));
+    if (!value.is_array()) return Rgb::Constant(value.number(range));
     return read_three(value, range).array();
 }
 

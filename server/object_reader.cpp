@@ -18,13 +18,15 @@ void require_one_content(const JsonValue& body) {
     }
     if (found.empty())
         body.reject("needs one of 'polygon', 'mesh', 'children', 'file', 'instance'");
+    if (const auto holes = body.find("holes"); holes && found != "polygon")
+        holes->reject("stands beside 'polygon' alone");
 }
 
 }  // namespace
 
 void ObjectReader::read_object(const JsonValue& object, std::size_t k, const Heritage& parent) {
-    object.require_object({"name", "material", "polygon", "mesh", "file", "instance", "children",
-                           "flux", "translation", "rotation", "scale", "matrix"});
+    object.require_object({"name", "material", "polygon", "holes", "mesh", "file", "instance",
+                           "children", "flux", "translation", "rotation", "scale", "matrix"});
     Heritage own = parent;
     if (!own.path.empty()) own.path += '/';
     const auto name = object.find("name");
@@ -69,8 +71,8 @@ void ObjectReader::read_instance(const JsonValue& instance, const Heritage& own)
 }
 
 void ObjectReader::read_definition(const JsonValue& body, const Heritage& own) {
-    body.require_object({"material", "polygon", "mesh", "file", "instance", "children", "flux",
-                         "translation", "rotation", "scale", "matrix"});
+    body.require_object({"material", "polygon", "holes", "mesh", "file", "instance", "children",
+                         "flux", "translation", "rotation", "scale", "matrix"});
     read_body(body, own);
 }
 
@@ -79,7 +81,7 @@ void ObjectReader::read_shape(const JsonValue& body, const Heritage& own) {
     const Placement placement{static_cast<ObjectIndex>(scene_.objects.size()), *own.material,
                               own.to_scene};
     scene_.objects.push_back({own.path});
-    if (const auto polygon = body.find("polygon")) read_polygon(*polygon, placement, scene_);
+    if (body.has("polygon")) read_polygon(body, placement, scene_);
     if (const auto mesh = body.find("mesh")) read_mesh(*mesh, placement, scene_);
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "server/input_errors.h"
+#include "server/job.h"
 #include "server/json_value.h"
 #include "solver/scene/scene.h"
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace patchlight::server {
 
@@ -13,9 +15,9 @@ namespace patchlight::server {
 /// that carry geometry, named by their paths, and `scene.surfaces`. `scene.materials` must be
 /// there; those of geometry files and of lamps with a `flux` are added to it. `metres` is the
 /// length of one unit of the scene, `directory` where its file lies, if it has one. What is wrong
-/// goes to `faults`.
-void read_objects(const JsonValue& document, double metres,
-                  const std::optional<std::filesystem::path>& directory, Scene& scene,
-                  FaultList& faults);
+/// goes to `faults`. Returns the cameras of the geometry files.
+std::vector<NamedCamera> read_objects(const JsonValue& document, double metres,
+                                      const std::optional<std::filesystem::path>& directory,
+                                      Scene& scene, FaultList& faults);
 
 }  // namespace patchlight::server

@@ -101,7 +101,8 @@ void require_finite(const Json& value) {
 
 }  // namespace
 
-Json result_json(const Job& job, const Solution& solution, const RunReport& report) {
+Json result_json(const Job& job, const Solution& solution, const RunReport& report,
+                 const std::vector<bool>& misplaced) {
     Json result{{"version", 1},
                 {"patchlight", program_version()},
                 {"status", name_of(solution.status)},
@@ -117,7 +118,7 @@ Json result_json(const Job& job, const Solution& solution, const RunReport& repo
     result["convergence"] = convergence_of(solution.convergence);
     result["objects"] = object_results(job.scene, solution);
     result["sensors"] = sensor_results(job.scene, solution);
-    result["grids"] = grid_results(job.scene, solution);
+    result["grids"] = grid_results(job.scene, solution, misplaced);
     result["images"] = images_of(report.images, job.units);
     result["findings"] = finding_list(solution.findings);
     result["seconds"] = seconds_of(solution.seconds, report);

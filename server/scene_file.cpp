@@ -1,6 +1,7 @@
 #include "server/scene_file.h"
 
 #include "server/files/geometry_file.h"
+#include "server/files/known_formats.h"
 #include "server/json_document.h"
 #include "server/scene_json.h"
 #include "server/utf8_text.h"
@@ -66,6 +67,8 @@ Job read_geometry_scene(const std::filesystem::path& path) {
 Job read_scene_file(const std::string& path) {
     if (is_geometry_file(path)) return read_geometry_scene(path);
     const std::string bytes = read_file(path);
+    if (const std::string what = foreign_name(path); path != "-" && !what.empty())
+        throw WrongInput(path + ": " + what);
     SceneSource source;
     if (path != "-") source.directory = std::filesystem::path(path).parent_path();
     Job job;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace patchlight::server {
 namespace {
@@ -13,20 +14,31 @@ std::size_t size_of(const SensorGrid& grid) {
     return static_cast<std::size_t>(grid.count_u) * static_cast<std::size_t>(grid.count_v);
 }
 
-Json grid_result(const SensorGrid& grid, const Solution& solution) {
+/// Points that lie in a solid or outside the room are left out, and counted.
+Json grid_result(const SensorGrid& grid, const Solution& solution,
+                 const std::vector<bool>& misplaced) {
     const std::size_t count = size_of(grid);
-    double least = luminance(solution.sensors.at(grid.first).irradiance);
-    double most = least;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
     double sum = 0.0;
+    std::size_t left_out = 0;
     for (std::size_t k = grid.first; k < grid.first + count; ++k) {
+        if (k < misplaced.size() && misplaced[k]) {
+            ++left_out;
+            continue;
+        }
         const double illuminance = luminance(solution.sensors.at(k).irradiance);
         least = std::min(least, illuminance);
         most = std::max(most, illuminance);
         sum += illuminance;
     }
-    const double mean = sum / static_cast<double>(count);
-    Json result{{"name", grid.name}, {"min", least}, {"mean", mean}, {"max", most}};
-    if (mean > 0.0) result["uniformity"] = least / mean;
+    Json result{{"name", grid.name}};
+    if (left_out < count) {
+        const double mean = sum / static_cast<double>(count - left_out);
+        result.update({{"min", least}, {"mean", mean}, {"max", most}});
+        if (mean > 0.0) result["uniformity"] = least / mean;
+    }
+    if (left_out > 0) result["left_out"] = left_out;
     return result;
 }
 
@@ -75,11 +87,12 @@ Json sensor_results(const Scene& scene, const Solution& solution) {
     return list;
 }
 
-Json grid_results(const Scene& scene, const Solution& solution) {
+Json grid_results(const Scene& scene, const Solution& solution,
+                  const std::vector<bool>& misplaced) {
     Json list = Json::array();
     for (const SensorGrid& grid : scene.grids)  // unless the work ended before all was gathered
         if (grid.first + size_of(grid) <= solution.sensors.size())
-            list.push_back(grid_result(grid, solution));
+            list.push_back(grid_result(grid, solution, misplaced));
     return list;
 }
 

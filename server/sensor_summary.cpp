@@ -41,23 +41,30 @@ std::string single_line(const Scene& scene, const Solution& solution, const std:
 
 std::string grid_line(const nlohmann::ordered_json& grid, const std::string& unit) {
     const auto number = [&](const char* key) { return rounded(grid.at(key).get<double>()); };
-    std::string line = "grid:      " + grid.at("name").get<std::string>() + " " + number("min") +
-                       " to " + number("max") + unit + ", mean " + number("mean");
+    std::string line = "grid:      " + grid.at("name").get<std::string>();
+    if (grid.contains("mean"))
+        line += " " + number("min") + " to " + number("max") + unit + ", mean " + number("mean");
     if (grid.contains("uniformity")) line += ", uniformity " + number("uniformity");
+    if (grid.contains("left_out"))
+        line += ", points left out: " + std::to_string(grid.at("left_out").get<std::size_t>());
     return line;
 }
 
 }  // namespace
 
-std::string sensor_lines(const Job& job, const Solution& solution) {
+std::string sensor_lines(const Job& job, const Solution& solution,
+                         const nlohmann::ordered_json& grids) {
     if (solution.sensors.empty()) return "";
     const std::string unit = job.units.light == LightUnit::photometric ? " lx" : " W/m²";
     std::string lines = single_line(job.scene, solution, unit);
-    const auto grids = grid_results(job.scene, solution);
     for (std::size_t k = 0; k < std::min(grids.size(), most_shown); ++k)
         lines += grid_line(grids[k], unit) +
                  (k + 1 == most_shown ? and_more(grids.size()) : std::string()) + "\n";
     return lines;
+}
+
+std::string sensor_lines(const Job& job, const Solution& solution) {
+    return sensor_lines(job, solution, grid_results(job.scene, solution));
 }
 
 }  // namespace patchlight::server

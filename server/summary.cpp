@@ -103,7 +103,8 @@ std::string summary(const Job& job, const JobResult& result) {
         std::to_string(solution.mesh.size()) + ", iterations " + std::to_string(iterations) + "\n";
     if (is_solved(solution))
         lines += error_line(solution) + energy_line(job, solution.energy) +
-                 brightest_line(job, solution) + sensor_lines(job, solution);
+                 brightest_line(job, solution) +
+                 sensor_lines(job, solution, result.document.at("grids"));
     return lines + time_line(result) + finding_lines(solution.findings);
 }
 

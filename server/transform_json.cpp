@@ -3,7 +3,10 @@
 #include "server/json_vectors.h"
 #include "server/wording.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace patchlight::server {
@@ -11,17 +14,61 @@ namespace {
 
 constexpr double largest_factor = 1e9;
 
+constexpr double degree = std::numbers::pi / 180.0;
+
+std::string quaternion_text(const Eigen::Quaterniond& rotation) {
+    std::string text;
+    for (const double number : {rotation.x(), rotation.y(), rotation.z(), rotation.w()})
+        text += (text.empty() ? "[" : ", ") + number_text(std::round(number * 1e6) / 1e6 + 0.0);
+    return text + "]";
+}
+
+bool is_axis(const Vec3& vector) { return std::abs(vector.norm() - 1.0) < 1e-3; }
+
+/// What four numbers that are no unit quaternion probably mean.
+std::string rotation_meant(const std::array<double, 4>& n) {
+    const Vec3 first(n[0], n[1], n[2]), last(n[1], n[2], n[3]);
+    const auto turned = [](const Vec3& axis, double degrees) {
+        return "; " + number_text(degrees) + "° about that axis is " +
+               quaternion_text(
+                   Eigen::Quaterniond(Eigen::AngleAxisd(degrees * degree, axis.normalized())));
+    };
+    if (is_axis(first) && std::abs(n[3]) > 2.0) return turned(first, n[3]);
+    if (is_axis(last) && std::abs(n[0]) > 2.0) return turned(last, n[0]);
+    const double largest =
+        std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2]), std::abs(n[3])});
+    if (largest > 2.0)
+        return "; degrees are not read: 90° about z is [0, 0, 0.707107, 0.707107], the axis times "
+               "sin 45° and then cos 45°";
+    const Eigen::Quaterniond given(n[3], n[0], n[1], n[2]);
+    return given.norm() > 0.0 ? "; made one, it is " + quaternion_text(given.normalized()) : "";
+}
+
+/// Three numbers are angles about x, y and z, or so it seems.
+std::string angles_meant(const JsonValue& value) {
+    if (value.size() != 3 || !value[0].is_number() || !value[1].is_number() ||
+        !value[2].is_number())
+        return "";
+    constexpr Range angle{-1e6, 1e6};
+    const double x = value[0].number(angle), y = value[1].number(angle), z = value[2].number(angle);
+    const Eigen::Quaterniond rotation = Eigen::AngleAxisd(z * degree, Vec3::UnitZ()) *
+                                        Eigen::AngleAxisd(y * degree, Vec3::UnitY()) *
+                                        Eigen::AngleAxisd(x * degree, Vec3::UnitX());
+    return "; if they are degrees about x, then y, then z, it is " + quaternion_text(rotation);
+}
+
 Eigen::Quaterniond read_rotation(const JsonValue& value) {
     if (value.size() != 4)
         value.reject("must have 4 numbers (a unit quaternion x, y, z, w), not " +
-                     std::to_string(value.size()));
-    constexpr Range component{-2, 2};
-    const Eigen::Quaterniond rotation(value[3].number(component), value[0].number(component),
-                                      value[1].number(component), value[2].number(component));
+                     std::to_string(value.size()) + angles_meant(value));
+    constexpr Range component{-1e6, 1e6};
+    std::array<double, 4> numbers{};
+    for (std::size_t k = 0; k < 4; ++k) numbers[k] = value[k].number(component);
+    const Eigen::Quaterniond rotation(numbers[3], numbers[0], numbers[1], numbers[2]);
     constexpr double rounding = 1e-3;  // of a quaternion written with few digits
     if (std::abs(rotation.norm() - 1.0) > rounding)
         value.reject("must be a unit quaternion x, y, z, w; its length is " +
-                     number_text(rotation.norm()));
+                     number_text(rotation.norm()) + rotation_meant(numbers));
     return rotation.normalized();
 }
 

@@ -1,5 +1,7 @@
 #include "server/wording.h"
 
+#include "server/synonyms.h"
+
 #include <algorithm>
 #include <charconv>
 #include <numeric>
@@ -77,6 +79,9 @@ std::string number_text(double number) {
 std::string suggestion(std::string_view asked, const std::vector<std::string>& known) {
     constexpr std::size_t longest_compared = 256;  // bytes; the cost is a product of lengths
     constexpr std::size_t most_compared = 10'000;
+    if (known.size() <= most_compared && asked.size() <= longest_compared)
+        if (const std::string* const meant = synonym_of(lower_case(asked), known))
+            return "; did you mean " + in_quotes(*meant) + "?";
     const std::string* nearest = nullptr;
     std::size_t least = std::string_view::npos;
     for (const std::string& candidate : known) {

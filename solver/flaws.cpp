@@ -12,6 +12,7 @@
 #include "solver/findings/singularity.h"
 #include "solver/findings/slivers.h"
 #include "solver/findings/small_emitters.h"
+#include "solver/findings/wasted_light.h"
 #include "solver/solve_plan.h"
 #include "solver/solve_scene.h"
 
@@ -24,6 +25,11 @@ namespace {
 
 void append(std::vector<Finding>& findings, std::vector<Finding> more) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+bool is_told_of(const std::vector<Finding>& findings, const char* kind) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [&](const Finding& finding) { return finding.kind == kind; });
 }
 
 std::vector<Finding> emitter_findings(const Scene& scene) {
@@ -113,6 +119,7 @@ std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& over
     append(findings, emitter_findings(scene));
     if (go_on && !go_on()) return findings;
     const FlawSearch search{scene, overlaps, rays, planned.seed};
+    append(findings, find_wasted_light(search, is_told_of(findings, "flipped-normals")));
     append(findings, find_small_emitters(search, planned));
     append(findings, find_singularity(search));
     return findings;

@@ -35,6 +35,17 @@ std::string read_file_bytes(const fs::path& path, const std::string& shown) {
     return bytes;
 }
 
+std::string first_bytes(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return "";
+    constexpr std::size_t most = std::size_t{64} << 10;
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(most, '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(most));
+    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+    return bytes;
+}
+
 std::optional<fs::path> file_beside(const fs::path& file, const std::string& reference) {
     const fs::path relative(reference);
     if (relative.is_absolute() || reference.find('\0') != std::string::npos) return std::nullopt;

@@ -118,6 +118,27 @@ std::string_view GltfAccessors::view_bytes(const JsonValue& reference, std::size
     return std::string_view(buffer).substr(offset, length);
 }
 
+std::size_t GltfAccessors::components_of(const JsonValue& reference) const {
+    const JsonValue list = root_.at("accessors");
+    const JsonValue accessor = list[gltf_index(reference, root_, "accessors")];
+    const JsonValue type = accessor.at("type");
+    if (type.text() == "SCALAR") return 1;
+    for (std::size_t count = 2; count <= 4; ++count)
+        if (type.text() == "VEC" + std::to_string(count)) return count;
+    return 0;
+}
+
+bool GltfAccessors::has_data(const JsonValue& reference) const {
+    const JsonValue list = root_.at("accessors");
+    const JsonValue accessor = list[gltf_index(reference, root_, "accessors")];
+    return accessor.has("bufferView") || accessor.has("sparse");
+}
+
+std::string_view GltfAccessors::view(const JsonValue& reference) const {
+    std::size_t stride = 0;
+    return view_bytes(reference, stride);
+}
+
 /// `place` has the `bufferView` and the `byteOffset`: an accessor, or a part of a sparse one.
 void GltfAccessors::read_elements(const JsonValue& place, const Layout& layout,
                                   std::vector<double>& numbers) const {

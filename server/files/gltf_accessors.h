@@ -25,6 +25,15 @@ class GltfAccessors {
     /// The numbers of an accessor of vertex indices: integers, one for each element.
     std::vector<std::uint32_t> indices(const JsonValue& reference);
 
+    /// How many numbers an element of an accessor has; 0 for those that are no scalar or vector.
+    std::size_t components_of(const JsonValue& reference) const;
+
+    /// Whether an accessor has data of its own: else all its numbers are 0.
+    bool has_data(const JsonValue& reference) const;
+
+    /// The bytes of a buffer view.
+    std::string_view view(const JsonValue& reference) const;
+
   private:
     struct Layout;
 

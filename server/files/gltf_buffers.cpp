@@ -29,22 +29,16 @@ std::string without_percent_codes(std::string_view uri) {
     return plain;
 }
 
-std::string read_data_uri(const JsonValue& uri) {
-    const std::string_view text = uri.text();
-    constexpr std::string_view encoding = ";base64";
-    const std::size_t comma = std::min(text.find(','), text.size());
-    if (comma == text.size() || !text.substr(0, comma).ends_with(encoding))
-        uri.reject(
-            "must be a data URI in base64, such as data:application/octet-stream;base64,AAAA");
-    auto bytes = decode_base64(text.substr(comma + 1));
-    if (!bytes) uri.reject("is no base64");
-    return std::move(*bytes);
+/// Whether it only says how large data would be that is there compressed.
+bool is_fallback(const JsonValue& buffer) {
+    const auto extensions = buffer.find("extensions");
+    return extensions && (extensions->has("EXT_meshopt_compression") ||
+                          extensions->has("KHR_meshopt_compression"));
 }
 
 std::string read_file_uri(const JsonValue& uri, const std::filesystem::path& path) {
-    const auto file = file_beside(path, without_percent_codes(uri.text()));
-    if (!file || uri.text().find("://") != std::string::npos)
-        uri.reject(in_quotes(uri.text()) + " does not lie beside the glTF file");
+    const auto file = file_of_uri(uri, path);
+    if (!file) uri.reject(in_quotes(uri.text()) + " does not lie beside the glTF file");
     try {
         return read_file_bytes(*file, in_quotes(uri.text()));
     } catch (const InputError& error) {
@@ -65,6 +59,24 @@ std::size_t gltf_index(const JsonValue& reference, const JsonValue& root, const 
     return static_cast<std::size_t>(number);
 }
 
+std::string read_data_uri(const JsonValue& uri) {
+    const std::string_view text = uri.text();
+    constexpr std::string_view encoding = ";base64";
+    const std::size_t comma = std::min(text.find(','), text.size());
+    if (comma == text.size() || !text.substr(0, comma).ends_with(encoding))
+        uri.reject(
+            "must be a data URI in base64, such as data:application/octet-stream;base64,AAAA");
+    auto bytes = decode_base64(text.substr(comma + 1));
+    if (!bytes) uri.reject("is no base64");
+    return std::move(*bytes);
+}
+
+std::optional<std::filesystem::path> file_of_uri(const JsonValue& uri,
+                                                 const std::filesystem::path& path) {
+    if (uri.text().find("://") != std::string::npos) return std::nullopt;
+    return file_beside(path, without_percent_codes(uri.text()));
+}
+
 std::vector<std::string> read_gltf_buffers(const JsonValue& root, const std::filesystem::path& path,
                                            std::optional<std::string_view> binary) {
     std::vector<std::string> buffers;
@@ -82,7 +94,9 @@ std::vector<std::string> read_gltf_buffers(const JsonValue& root, const std::fil
         else if (binary && buffers.empty())
             buffers.emplace_back(*binary);
         else
-            buffer.reject("needs 'uri'");
+            buffer.reject(is_fallback(buffer) ? "has no data: the file holds it compressed alone "
+                                                "(EXT_meshopt_compression); export it without"
+                                              : "needs 'uri'");
         if (buffers.back().size() < length)
             announced.reject("announces " + std::to_string(length) + " bytes; there are " +
                              std::to_string(buffers.back().size()));

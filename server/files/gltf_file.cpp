@@ -4,20 +4,14 @@
 #include "server/files/glb_chunks.h"
 #include "server/files/gltf_accessors.h"
 #include "server/files/gltf_buffers.h"
+#include "server/files/gltf_extensions.h"
 #include "server/files/gltf_materials.h"
 #include "server/files/gltf_nodes.h"
 #include "server/json_document.h"
 #include "server/wording.h"
 
-#include <array>
-
 namespace patchlight::server {
 namespace {
-
-/// Extensions a file may require: what they change is read, or has no part in diffuse light.
-constexpr std::array understood{
-    "KHR_materials_emissive_strength", "KHR_mesh_quantization", "KHR_lights_punctual",
-    "KHR_texture_transform",           "KHR_texture_basisu",    "EXT_texture_webp"};
 
 void check_version(const JsonValue& root) {
     root.require_map();
@@ -27,26 +21,17 @@ void check_version(const JsonValue& root) {
         version.reject("is glTF " + in_quotes(version.text()) + "; glTF 2 is read");
 }
 
-void check_extensions(const JsonValue& root) {
-    const auto required = root.find("extensionsRequired");
-    if (!required) return;
-    required->for_each_element([](const JsonValue& extension) {
-        for (const char* known : understood)
-            if (extension.text() == known) return;
-        extension.reject("the file requires the extension " + in_quotes(extension.text()) +
-                         ", which is not read; export it without");
-    });
-}
-
 void read_document(const JsonValue& root, const std::filesystem::path& path,
                    std::optional<std::string_view> binary, ImportedGeometry& geometry) {
     check_version(root);
-    check_extensions(root);
+    check_gltf_extensions(root);
     const std::vector<std::string> buffers = read_gltf_buffers(root, path, binary);
-    geometry.materials = read_gltf_materials(root);
     GltfAccessors accessors(root, buffers);
+    GltfPictures pictures(root, accessors, path);
+    geometry.materials = read_gltf_materials(root, pictures);
+    remark_on_gltf(root, geometry);
     GltfNodes(root, accessors, geometry).read_scene();
-    if (geometry.parts.empty()) root.reject("its scene has no triangles");
+    if (geometry.parts.empty()) root.reject("its scene has no triangles that are shown");
 }
 
 }  // namespace

@@ -13,45 +13,75 @@ Rgb read_colour(const JsonValue& value) {
     return {value[0].number(range), value[1].number(range), value[2].number(range)};
 }
 
-double emissive_strength(const JsonValue& material) {
-    const auto extensions = material.find("extensions");
-    if (!extensions) return 1.0;
-    const auto extension = extensions->find("KHR_materials_emissive_strength");
-    if (!extension) return 1.0;
-    const auto strength = extension->find("emissiveStrength");
-    return strength ? strength->number({0, brightest_file_radiance}) : 1.0;
+double number_or(const JsonValue& block, const char* key, double otherwise) {
+    const auto number = block.find(key);
+    return number ? number->number({0, brightest_file_radiance}) : otherwise;
 }
 
-bool is_transparent(const JsonValue& block) {
-    const auto mode = block.find("alphaMode");
-    return mode && mode->text() != "OPAQUE";
-}
+/// Reads the blocks of one material one after another.
+class MaterialReader {
+  public:
+    MaterialReader(const JsonValue& block, GltfPictures& pictures)
+        : block_(block), pictures_(pictures) {}
 
-FileMaterial read_material(const JsonValue& block) {
-    FileMaterial material;
-    if (const auto name = block.find("name")) material.name = name->text();
-    if (const auto surface = block.find("pbrMetallicRoughness")) {
-        if (const auto colour = surface->find("baseColorFactor"))
-            material.reflectance = read_colour(*colour);
-        material.has_texture = surface->has("baseColorTexture");
+    FileMaterial read() {
+        if (const auto name = block_.find("name")) material_.name = name->text();
+        if (const auto surface = block_.find("pbrMetallicRoughness")) read_metallic(*surface);
+        if (const auto emission = block_.find("emissiveFactor"))
+            material_.radiance = read_colour(*emission);
+        if (const auto texture = block_.find("emissiveTexture"))
+            material_.radiance_texture = pictures_.texture(*texture);
+        if (const auto extensions = block_.find("extensions")) read_extensions(*extensions);
+        if ((material_.radiance > brightest_file_radiance).any())
+            block_.reject("emits more than " + number_text(brightest_file_radiance));
+        const auto mode = block_.find("alphaMode");
+        material_.is_transparent |= mode && mode->text() != "OPAQUE";
+        if (const auto both = block_.find("doubleSided")) material_.two_sided = both->boolean();
+        return material_;
     }
-    if (const auto emission = block.find("emissiveFactor"))
-        material.radiance = emissive_strength(block) * read_colour(*emission);
-    if ((material.radiance > brightest_file_radiance).any())
-        block.reject("emits more than " + number_text(brightest_file_radiance));
-    material.has_texture |= block.has("emissiveTexture");
-    material.is_transparent = is_transparent(block);
-    if (const auto both = block.find("doubleSided")) material.two_sided = both->boolean();
-    return material;
-}
+
+  private:
+    void read_metallic(const JsonValue& surface) {
+        read_diffuse(surface, "baseColorFactor", "baseColorTexture");
+        material_.is_metal = number_or(surface, "metallicFactor", 0.0) > 0.0 &&
+                             !surface.has("metallicRoughnessTexture");
+    }
+
+    void read_diffuse(const JsonValue& surface, const char* factor, const char* painted) {
+        if (const auto colour = surface.find(factor)) material_.reflectance = read_colour(*colour);
+        if (const auto texture = surface.find(painted))
+            material_.reflectance_texture = pictures_.texture(*texture);
+    }
+
+    /// Those that change what is diffuse or lets light through.
+    void read_extensions(const JsonValue& extensions) {
+        if (const auto strength = extensions.find("KHR_materials_emissive_strength"))
+            material_.radiance *= number_or(*strength, "emissiveStrength", 1.0);
+        if (const auto surface = extensions.find("KHR_materials_pbrSpecularGlossiness")) {
+            material_.reflectance.reset();
+            material_.reflectance_texture.reset();
+            material_.is_metal = false;
+            read_diffuse(*surface, "diffuseFactor", "diffuseTexture");
+        }
+        if (const auto glass = extensions.find("KHR_materials_transmission"))
+            material_.is_transparent |= number_or(*glass, "transmissionFactor", 0.0) > 0.0;
+        if (const auto paper = extensions.find("KHR_materials_diffuse_transmission"))
+            material_.is_transparent |= number_or(*paper, "diffuseTransmissionFactor", 0.0) > 0.0;
+    }
+
+    const JsonValue& block_;
+    GltfPictures& pictures_;
+    FileMaterial material_;
+};
 
 }  // namespace
 
-std::vector<FileMaterial> read_gltf_materials(const JsonValue& root) {
+std::vector<FileMaterial> read_gltf_materials(const JsonValue& root, GltfPictures& pictures) {
     std::vector<FileMaterial> materials;
     if (const auto list = root.find("materials"))
-        list->for_each_element(
-            [&](const JsonValue& block) { materials.push_back(read_material(block)); });
+        list->for_each_element([&](const JsonValue& block) {
+            materials.push_back(MaterialReader(block, pictures).read());
+        });
     materials.emplace_back();
     return materials;
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <span>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -28,10 +29,15 @@ class GltfNodes {
                    const Eigen::Affine3d& to_file, int depth);
     void read_roots();
     std::string path_of(const JsonValue& node, std::size_t k, const std::string& parent);
-    void read_mesh(const JsonValue& reference, const std::string& path,
+    std::string unique(const std::string& wanted);
+    void read_content(const JsonValue& node, const std::string& path,
+                      const Eigen::Affine3d& to_file);
+    void read_mesh(const JsonValue& node, const JsonValue& reference, const std::string& path,
                    const Eigen::Affine3d& to_file);
-    void add_primitive(const JsonValue& primitive, const Eigen::Affine3d& to_file, FilePart& part);
+    void add_primitive(const JsonValue& primitive, std::span<const double> weights,
+                       const Eigen::Affine3d& to_file, FilePart& part);
     void remark_on_rest(const JsonValue& node);
+    void remark(bool& is_told, const char* kind, const char* detail, const char* remedy);
 
     const JsonValue& root_;
     GltfAccessors& accessors_;
@@ -39,8 +45,10 @@ class GltfNodes {
     std::vector<bool> visited_;
     std::unordered_set<std::string> paths_;
     std::size_t faces_ = 0;
-    bool has_light_ = false;
+    bool has_light_ = false;  // that was told of, like those below
     bool has_skin_ = false;
+    bool has_hidden_ = false;
+    bool has_colours_ = false;
 };
 
 }  // namespace patchlight::server

@@ -2,6 +2,7 @@
 
 #include "server/files/imported_geometry.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace patchlight::server {
@@ -29,18 +30,60 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(Mode mode,
     throw std::logic_error("a primitive mode without triangles");
 }
 
-std::vector<Vec3> read_positions(const JsonValue& primitive, GltfAccessors& accessors) {
+std::vector<Vec3> read_points(const JsonValue& reference, GltfAccessors& accessors) {
+    const std::vector<double> numbers = accessors.numbers(reference, 3);
+    std::vector<Vec3> points;
+    points.reserve(numbers.size() / 3);
+    for (std::size_t k = 0; k + 2 < numbers.size(); k += 3)
+        points.emplace_back(numbers[k], numbers[k + 1], numbers[k + 2]);
+    return points;
+}
+
+void require_data(const JsonValue& primitive, const JsonValue& reference,
+                  const GltfAccessors& accessors) {
+    const auto extensions = primitive.find("extensions");
+    const bool is_compressed = extensions && extensions->has("KHR_draco_mesh_compression");
+    if (is_compressed && !accessors.has_data(reference))
+        primitive.reject(
+            "has its data compressed alone (KHR_draco_mesh_compression), which is not read; "
+            "export the file without");
+}
+
+std::vector<Vec3> read_positions(const JsonValue& primitive, std::span<const double> weights,
+                                 GltfAccessors& accessors) {
     const JsonValue attributes = primitive.at("attributes");
     const JsonValue reference = attributes.at("POSITION");
-    const std::vector<double> numbers = accessors.numbers(reference, 3);
-    std::vector<Vec3> positions;
-    positions.reserve(numbers.size() / 3);
-    for (std::size_t k = 0; k + 2 < numbers.size(); k += 3) {
-        positions.emplace_back(numbers[k], numbers[k + 1], numbers[k + 2]);
-        if (!(positions.back().array().abs() <= largest_file_coordinate).all())
+    require_data(primitive, reference, accessors);
+    std::vector<Vec3> positions = read_points(reference, accessors);
+    if (const auto targets = primitive.find("targets"))
+        for (std::size_t k = 0; k < std::min(targets->size(), weights.size()); ++k) {
+            const JsonValue target = (*targets)[k];
+            const auto moved = target.find("POSITION");
+            if (!moved || weights[k] == 0.0) continue;
+            const std::vector<Vec3> offsets = read_points(*moved, accessors);
+            if (offsets.size() != positions.size())
+                moved->reject("moves " + std::to_string(offsets.size()) + " of " +
+                              std::to_string(positions.size()) + " vertices");
+            for (std::size_t i = 0; i < positions.size(); ++i)
+                positions[i] += weights[k] * offsets[i];
+        }
+    for (const Vec3& position : positions)
+        if (!(position.array().abs() <= largest_file_coordinate).all())
             reference.reject("a coordinate is beyond ±1e+15");
-    }
     return positions;
+}
+
+/// Whether vertices have colours that are not all white.
+bool has_colours(const JsonValue& primitive, GltfAccessors& accessors) {
+    const JsonValue attributes = primitive.at("attributes");
+    const auto reference = attributes.find("COLOR_0");
+    if (!reference) return false;
+    const std::size_t components = accessors.components_of(*reference);
+    if (components != 3 && components != 4) return false;
+    const std::vector<double> numbers = accessors.numbers(*reference, components);
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        if (k % components < 3 && numbers[k] < 0.999) return true;
+    return false;
 }
 
 std::vector<std::uint32_t> read_corners(const JsonValue& primitive, std::size_t position_count,
@@ -61,13 +104,15 @@ std::vector<std::uint32_t> read_corners(const JsonValue& primitive, std::size_t 
 
 }  // namespace
 
-GltfTriangles read_gltf_primitive(const JsonValue& primitive, GltfAccessors& accessors) {
+GltfTriangles read_gltf_primitive(const JsonValue& primitive, std::span<const double> weights,
+                                  GltfAccessors& accessors) {
     const auto mode = primitive.find("mode");
     const std::int64_t code = mode ? mode->whole_number(0, 6) : 4;
     constexpr std::int64_t first_with_area = 4;
     GltfTriangles read;
     if (code < first_with_area) return read;
-    read.positions = read_positions(primitive, accessors);
+    read.positions = read_positions(primitive, weights, accessors);
+    read.has_colours = has_colours(primitive, accessors);
     const auto corners = read_corners(primitive, read.positions.size(), accessors);
     if (corners.size() < 3 || (code == 4 && corners.size() % 3 != 0))
         primitive.reject("has " + std::to_string(corners.size()) +

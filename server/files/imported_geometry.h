@@ -4,11 +4,21 @@
 #include "solver/scene/light.h"
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace patchlight::server {
+
+/// A picture that paints a surface. Its mean colour counts.
+struct FileTexture {
+    std::string name;                          // as messages call it
+    std::filesystem::path path;                // empty: it is in `bytes`, or was not found
+    std::shared_ptr<const std::string> bytes;  // of a picture inside the geometry file
+    std::string problem;                       // why there is neither
+};
 
 /// A material as a geometry file gives it, or one that its faces name and nothing defines.
 struct FileMaterial {
@@ -16,9 +26,21 @@ struct FileMaterial {
     std::optional<Rgb> reflectance;  // may reach or pass 1 [1]
     Rgb radiance = Rgb::Zero();      // in the unit of light of the scene that uses it
     bool two_sided = false;
-    bool has_texture = false;  // left out: its plain colour counts
-    bool has_reflectance_texture = false;
-    bool is_transparent = false;  // left out: it is opaque
+    std::optional<FileTexture> reflectance_texture;  // times `reflectance`, or times 1
+    std::optional<FileTexture> radiance_texture;     // times `radiance`
+    bool is_transparent = false;                     // left out: it is opaque
+    bool is_metal = false;                           // left out: all it reflects is diffuse
+};
+
+/// A view that the file keeps. Lengths are in its unit.
+struct FileCamera {
+    std::string name;
+    Vec3 eye = Vec3::Zero();
+    Vec3 view = -Vec3::UnitZ();          // where it looks [1]
+    Vec3 up = Vec3::UnitY();             // [1]
+    std::optional<double> vertical_fov;  // empty: a parallel view [degrees]
+    double height = 1.0;                 // of a parallel view
+    double aspect = 1.0;                 // width over height [1]
 };
 
 struct FileFace {
@@ -41,7 +63,8 @@ struct ImportedGeometry {
     std::vector<Vec3> vertices;
     std::vector<std::uint32_t> corners;  // numbers of vertices, face after face
     std::vector<FileMaterial> materials;
-    std::vector<FilePart> parts;           // none without faces
+    std::vector<FilePart> parts;  // none without faces
+    std::vector<FileCamera> cameras;
     std::vector<Finding> remarks;          // on the file as a whole
     std::vector<Finding> about_materials;  // of interest where the file's materials are used
 

@@ -1,9 +1,8 @@
 #include "server/files/obj_file.h"
 
-#include "server/files/file_bytes.h"
 #include "server/files/obj_materials.h"
+#include "server/files/text_file.h"
 #include "server/files/text_lines.h"
-#include "server/utf8_text.h"
 #include "server/wording.h"
 #include "solver/scene/input_error.h"
 
@@ -166,7 +165,7 @@ class ObjReader {
 }  // namespace
 
 ImportedGeometry read_obj(const std::filesystem::path& path, const std::string& file) {
-    const std::string text = as_utf8(read_file_bytes(path, file));
+    const std::string text = read_text_file(path, file);
     return ObjReader(path, file, text).read();
 }
 

@@ -29,10 +29,12 @@ class ObjMaterials {
   private:
     bool open_file(const std::string& name);
     void remark_missing(const std::string& name);
+    const FileMaterial* find(const std::string& name) const;
 
     std::filesystem::path obj_path_;
     std::string obj_file_;
     std::unordered_map<std::string, FileMaterial> defined_;
+    std::unordered_map<std::string, std::string> commented_;  // name without comment: name
     std::unordered_map<std::string, std::uint32_t> numbers_;
     std::vector<std::string> used_;  // in the order of their numbers
     std::vector<Finding> remarks_;

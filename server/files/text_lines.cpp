@@ -11,6 +11,7 @@ namespace patchlight::server {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
+constexpr std::string_view word_ends = " \t\r\v\f#";
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(blanks);
@@ -28,13 +29,19 @@ std::string_view without_byte_order_mark(std::string_view text) {
 TextLines::TextLines(std::string_view text, std::string file)
     : text_(without_byte_order_mark(text)), file_(std::move(file)) {}
 
-/// Makes the next line the statement, as it stands.
+/// Makes the next line the statement, as it stands; of a comment nothing is left.
 void TextLines::read_line() {
-    const std::size_t end = std::min(text_.find('\n'), text_.size());
-    const std::string_view line = text_.substr(0, end);
-    statement_ = trimmed(line.substr(0, line.find('#')));
-    text_.remove_prefix(std::min(end + 1, text_.size()));
+    const std::size_t end = std::min(text_.find_first_of("\n\r"), text_.size());
+    statement_ = trimmed(text_.substr(0, end));
+    if (statement_.starts_with('#')) statement_ = {};
+    text_.remove_prefix(end);
+    text_.remove_prefix(text_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text_.size()));
     ++lines_read_;
+}
+
+/// A comment may end as it likes.
+bool TextLines::goes_on() const {
+    return statement_.ends_with('\\') && statement_.find('#') == std::string_view::npos;
 }
 
 bool TextLines::next() {
@@ -42,9 +49,9 @@ bool TextLines::next() {
     while (statement_.empty() && !text_.empty()) {
         read_line();
         line_ = lines_read_;
-        if (!statement_.ends_with('\\')) continue;
+        if (!goes_on()) continue;
         joined_.clear();
-        while (statement_.ends_with('\\')) {
+        while (goes_on()) {
             joined_.append(statement_.substr(0, statement_.size() - 1)).append(" ");
             read_line();
         }
@@ -54,12 +61,10 @@ bool TextLines::next() {
 }
 
 std::string_view TextLines::word() {
-    const std::string_view found = statement_.substr(0, statement_.find_first_of(blanks));
+    const std::string_view found = statement_.substr(0, statement_.find_first_of(word_ends));
     statement_ = trimmed(statement_.substr(found.size()));
     return found;
 }
-
-std::string_view TextLines::rest() const { return statement_; }
 
 double TextLines::number(double limit) {
     const std::string_view given = word();

@@ -8,8 +8,10 @@
 
 namespace patchlight::server {
 
-/// The statements of a text file such as OBJ or MTL, one after another: without comments (#), with
-/// lines that end in a backslash joined to the next. Throws InputError at "file:line".
+/// The statements of a text file such as OBJ or MTL, one after another, whatever its lines end in
+/// (LF, CR LF or CR), with lines that end in a backslash joined to the next. A line that begins
+/// with # is a comment, and so is what follows a # among words and numbers; a name may hold one
+/// ("Material #112"). Throws InputError at "file:line".
 class TextLines {
   public:
     /// `text` has to outlive it. `file` is how messages call it.
@@ -18,11 +20,11 @@ class TextLines {
     /// Goes on to the next statement that is not empty. Returns whether there is one.
     bool next();
 
-    /// The next word of the statement; empty at its end.
+    /// The next word of the statement; empty at its end and before a comment.
     std::string_view word();
-    /// The words left, from the first to the last.
-    std::string_view rest() const;
-    bool at_end() const { return rest().empty(); }
+    /// All that is left, from the first word to the last: a name, blanks and # included.
+    std::string_view rest() const { return statement_; }
+    bool at_end() const { return statement_.empty() || statement_.front() == '#'; }
 
     /// The next word as a finite number within ±`limit`.
     double number(double limit);
@@ -34,6 +36,7 @@ class TextLines {
 
   private:
     void read_line();
+    bool goes_on() const;
 
     std::string_view text_;
     std::string file_;

@@ -11,8 +11,7 @@ TEST(ImportRemarks, OneFindingOfEachKindNamesAllMaterials) {
         FileMaterial material;
         material.name = name;
         material.reflectance = Rgb(1.0, 0.5, 0.5);
-        material.has_texture = true;
-        remarks.look_at(material);
+        remarks.look_at(material, {false, "'wood.png' is missing"});
     }
     const auto findings = remarks.findings("thing", "thing.obj");
     ASSERT_EQ(findings.size(), 2u);

@@ -168,7 +168,8 @@ TEST(GltfFile, ColourIsReflectanceAndEmissionIsRadiance) {
     EXPECT_TRUE((*material.reflectance == Rgb(0.5, 0.25, 0.125)).all());
     EXPECT_TRUE((material.radiance == Rgb(40, 20, 0)).all());
     EXPECT_TRUE(material.two_sided);
-    EXPECT_TRUE(material.has_texture);
+    EXPECT_TRUE(material.is_metal);
+    EXPECT_EQ(material.reflectance_texture->problem.empty(), false);
     EXPECT_TRUE(material.is_transparent);
 }
 

@@ -84,10 +84,41 @@ TEST(Mutations, OfGltf) { expect_mutants_survived("m.gltf", square().text()); }
 
 TEST(Mutations, OfGlb) { expect_mutants_survived("m.glb", square().glb()); }
 
+TEST(Mutations, OfGltfWithExtensions) {
+    GltfDocument document = square();
+    const std::size_t moves =
+        document.accessor(bytes_of<float>({0, 0, 0, 2, 0, 0}), 5126, 2, "VEC3");
+    nlohmann::json& node = document.json["nodes"][0];
+    node["extensions"] = {{"EXT_mesh_gpu_instancing", {{"attributes", {{"TRANSLATION", moves}}}}},
+                          {"KHR_node_visibility", {{"visible", true}}}};
+    node["camera"] = 0;
+    node["weights"] = {0.5};
+    document.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+    document.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0;
+    document.json["meshes"][0]["primitives"][0]["material"] = 0;
+    document.json["cameras"] = {{{"perspective", {{"yfov", 1}}}}};
+    document.json["images"] = {{{"bufferView", 0}}};
+    document.json["textures"] = {{{"source", 0}}};
+    document.json["materials"] = nlohmann::json::parse(
+        R"([{"extensions": {"KHR_materials_pbrSpecularGlossiness":
+             {"diffuseFactor": [0.5, 0.5, 0.5, 1], "diffuseTexture": {"index": 0}}}}])");
+    expect_mutants_survived("m.gltf", document.text());
+}
+
+TEST(Mutations, OfBinaryStl) {
+    std::string bytes(80, ' ');
+    bytes += bytes_of<std::uint32_t>({2});
+    for (int k = 0; k < 2; ++k)
+        bytes += bytes_of<float>({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}) + std::string(2, '\0');
+    expect_mutants_survived("m.stl", bytes);
+}
+
 TEST(Mutations, OfStl) {
     expect_mutants_survived("m.stl",
                             "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-                            "vertex 0 1 0\nendloop\nendfacet\nendsolid x\n");
+                            "vertex 0 1 0\nendloop\nendfacet\nendsolid x\nsolid\ncolor 1 0 0\n"
+                            "FACET\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\n"
+                            "VERTEX 0 0.5 0\nEND LOOP\nEND FACET\nEND SOLID\n");
 }
 
 }  // namespace

@@ -138,7 +138,8 @@ TEST(ObjFile, MaterialsComeFromMtlFiles) {
     EXPECT_TRUE((*painted.materials[0].reflectance == Rgb(0.6, 0.1, 0.05)).all());
     EXPECT_TRUE((painted.materials[0].radiance == Rgb(1, 2, 3)).all());
     EXPECT_TRUE((*painted.materials[1].reflectance == 0.5).all());
-    EXPECT_TRUE(painted.materials[2].has_texture);
+    ASSERT_TRUE(painted.materials[2].reflectance_texture);
+    EXPECT_EQ(painted.materials[2].reflectance_texture->name, "wood.png");
     EXPECT_TRUE(painted.materials[3].is_transparent);
     EXPECT_FALSE(painted.materials[4].reflectance);
     EXPECT_FALSE(painted.materials[5].reflectance);

@@ -1,0 +1,50 @@
+#include "tests/solver/findings/flawed_room.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace patchlight {
+namespace {
+
+const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+
+std::vector<Finding> wasted(const Scene& scene) {
+    std::vector<Finding> found = told(scene);
+    std::erase_if(found, [](const Finding& finding) { return finding.kind != "wasted-light"; });
+    return found;
+}
+
+TEST(WastedLight, IsToldOfALampThatShinesAwayFromAllThereIs) {
+    Scene scene = lit_room("lamp");
+    add_named(scene, "flush lamp", rectangle(Vec3(1, 1, 2.5), y, x), lamp);
+    EXPECT_TRUE(wasted(scene).empty());
+    add_named(scene, "roof lamp", rectangle(Vec3(1, 1, 3), x, y), lamp);
+    const std::vector<Finding> found = wasted(scene);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].objects, std::vector<std::string>{"roof lamp"});
+    EXPECT_NE(found[0].detail.find("leaves the scene"), std::string::npos) << found[0].detail;
+}
+
+TEST(WastedLight, IsToldOfALampThatShinesAtBacksAlone) {
+    Scene scene = empty_scene();
+    add_named(scene, "panel", rectangle(Vec3(-50, -50, 0), 100 * y, 100 * x));  // looks down
+    add_named(scene, "lamp", rectangle(Vec3(0, 0, 0.5), 0.1 * y, 0.1 * x), lamp);
+    const std::vector<Finding> found = wasted(scene);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NE(found[0].detail.find("ends at backs"), std::string::npos) << found[0].detail;
+}
+
+TEST(WastedLight, IsNoneWhereASmallOrFarSurfaceOrASensorGetsSome) {
+    Scene scene = empty_scene();
+    add_named(scene, "lamp", rectangle(Vec3::Zero(), x, y), lamp);
+    EXPECT_EQ(wasted(scene).size(), 1u);
+    Scene measured = scene;
+    measured.sensors.push_back({"s", Vec3(0, 0, 5), -z});
+    EXPECT_TRUE(wasted(measured).empty());
+    add_named(scene, "speck", rectangle(Vec3(30, 0, 100), 0.01 * y, 0.01 * x));
+    EXPECT_TRUE(wasted(scene).empty());
+}
+
+}  // namespace
+}  // namespace patchlight
