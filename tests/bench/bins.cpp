@@ -35,7 +35,7 @@ double middle(std::span<Landed> landed, Eigen::Index axis) {
 }  // namespace
 
 Bins::Bins(const TracedScene& traced, std::span<Landed> landed, const BinSizes& sizes)
-    : traced_(traced), landings_(sizes.landings) {
+    : traced_(traced), sizes_(sizes) {
     const Scene& scene = traced.scene();
     std::sort(landed.begin(), landed.end(),
               [](const auto& a, const auto& b) { return a.surface < b.surface; });
@@ -54,7 +54,9 @@ Bins::Bins(const TracedScene& traced, std::span<Landed> landed, const BinSizes& 
 
 void Bins::grow(std::uint32_t node, SurfaceIndex s, std::span<Landed> landed, const Vec2& low,
                 const Vec2& high, double largest_area, int depth) {
-    const bool many = effective_count(landed) >= 2.0 * landings_;
+    const double count =
+        sizes_.whatever_weight ? static_cast<double>(landed.size()) : effective_count(landed);
+    const bool many = count >= 2.0 * sizes_.landings;
     const bool large = (high - low).prod() > largest_area;
     if (depth == deepest || (!many && !large)) {
         nodes_[node].first = static_cast<std::uint32_t>(surface_.size());

@@ -16,8 +16,9 @@ struct Landed {
 };
 
 struct BinSizes {
-    double landings = 100.0;      // a bin with twice as many, of even weight, is halved
-    double largest_area = 1e300;  // and one that is larger, where the surface reflects [m²]
+    double landings = 100.0;       // a bin with twice as many, of even weight, is halved
+    double largest_area = 1e300;   // and one that is larger, where the surface reflects [m²]
+    bool whatever_weight = false;  // landings count alike
 };
 
 /// Rectangles that cover every surface, small where much light landed.
@@ -51,7 +52,7 @@ class Bins {
     void add(std::uint32_t node, std::vector<Corner> polygon, std::span<double> sums) const;
 
     const TracedScene& traced_;
-    double landings_;
+    BinSizes sizes_;
     std::vector<Node> nodes_;  // those of surfaces first
     std::vector<double> area_;
     std::vector<SurfaceIndex> surface_;

@@ -11,7 +11,7 @@ namespace {
 constexpr double by_power = 0.5;   // share of first launches; the others evenly over lamps
 constexpr double in_doubt = 0.15;  // share of launches as at first, whatever was learned
 constexpr double guided_share = 0.5;
-constexpr std::size_t few = 64;           // samples a lamp: too few to learn from
+constexpr std::size_t few = 16;           // samples a lamp: too few to learn from
 constexpr std::size_t enough = 100'000;   // more teach little
 constexpr std::size_t to_choose = 8'000;  // by which heights are compared
 constexpr std::size_t most_heights = 10;

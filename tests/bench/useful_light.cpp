@@ -6,16 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace patchlight {
 
 namespace {
 
 constexpr std::size_t tasks = 64;
-constexpr std::size_t launches = 131'072;    // a round
-constexpr std::size_t searches = 1'280'000;  // from where light may land, where a round has any
-constexpr int rounds = 8, search_rounds = 4;
+constexpr std::size_t launches = 131'072;  // a round
+constexpr std::size_t searches = 640'000;  // from where light may land, where a round has any
+constexpr int rounds = 8, search_rounds = 5;
 constexpr double found_enough = 5000.0;  // samples as good as of even weight: no more is searched
 constexpr double plenty = 200'000.0;     // nothing more is learned either
 constexpr double gain = 1.2;             // in those a launch: less, and nothing more is learned
@@ -125,7 +125,7 @@ std::vector<UsefulLight> weigh(const TracedScene& traced, std::vector<Found>& fo
         one.light.flux = one.landed.flux = one.yield / one.expected;
         landed.push_back(one.landed);
     }
-    const Bins bins(traced, landed, {a_bin});
+    const Bins bins(traced, landed, {a_bin, 1e300, true});
     std::vector<double> flux(bins.size());
     const auto bin_of = [&](const Found& one) {
         return bins.bin(one.landed.surface, one.landed.place);
@@ -141,15 +141,17 @@ std::vector<UsefulLight> weigh(const TracedScene& traced, std::vector<Found>& fo
     return useful;
 }
 
-/// Of samples: as many of even weight would tell as much.
-double effective_count(std::span<const Found> found) {
-    double sum = 0.0, squares = 0.0;
-    for (const Found& one : found) {
-        const double flux = one.yield / one.expected;
-        sum += flux;
-        squares += flux * flux;
+/// As many samples of even weight would tell as much, of flux and of what matters.
+double effective_count(std::span<const UsefulLight> useful) {
+    double flux = 0.0, importance = 0.0, flux_squares = 0.0, importance_squares = 0.0;
+    for (const UsefulLight& light : useful) {
+        flux += light.flux;
+        importance += light.importance;
+        flux_squares += light.flux * light.flux;
+        importance_squares += light.importance * light.importance;
     }
-    return squares > 0.0 ? sum * sum / squares : 0.0;
+    if (!(importance_squares > 0.0)) return 0.0;
+    return std::min(flux * flux / flux_squares, importance * importance / importance_squares);
 }
 
 }  // namespace
@@ -162,10 +164,9 @@ void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint
     if (search.is_dark()) return;
     std::vector<Found> found;
     std::vector<Emission> sent;
-    double searched = 0.0, best = 0.0;
+    double searched = 0.0, told = 0.0;
     for (int round = 0; round < rounds; ++round) {
-        const bool seek =
-            round == 0 || (round < search_rounds && effective_count(found) < found_enough);
+        const bool seek = round == 0 || (round < search_rounds && told < found_enough);
         std::vector<Found> more =
             search.round(emission, seek, seed + static_cast<std::uint64_t>(round));
         sent.push_back(emission);
@@ -179,10 +180,11 @@ void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint
             for (const Emission& of : sent) one.expected += density(of, one);
         }
         found.insert(found.end(), more.begin(), more.end());
-        const double told = effective_count(found);
-        emission.learn(weigh(traced, found));
-        if (told < gain * best || told > plenty) break;
-        best = told;
+        const std::vector<UsefulLight> useful = weigh(traced, found);
+        emission.learn(useful);
+        const double before = std::exchange(told, effective_count(useful));
+        if (getenv("DBG")) fprintf(stderr, "%d %zu %g\n", seek, more.size(), told);
+        if (told > plenty || (told > found_enough && told < gain * before)) break;
     }
 }
 
