@@ -9,7 +9,8 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t leaf_size = 12;  // samples
+constexpr std::size_t leaf_size = 16;  // samples
+constexpr std::size_t fewest = 4;      // of half a box
 constexpr int deepest = 40;
 constexpr double spread = 0.08;  // of a box's mass, evenly over it [1]
 constexpr double narrowest = 1e-9;
@@ -33,6 +34,45 @@ double mass(std::span<const WeightedPlace> samples) {
     return sum;
 }
 
+/// Where to split along an axis: between the samples in the middle, or where they leave the widest
+/// gap.
+struct Cut {
+    int axis = -1;
+    std::size_t first = 0;  // samples below
+    double worth = -std::numeric_limits<double>::infinity();
+};
+
+/// Logarithm of the likelihood of its samples, spread over their box.
+double worth_of(std::span<const WeightedPlace> samples) {
+    const double part = mass(samples);
+    return part > 0.0 ? part * (std::log(part) - Box(samples).log_volume()) : 0.0;
+}
+
+void sort_along(std::span<WeightedPlace> samples, int axis) {
+    std::sort(samples.begin(), samples.end(),
+              [axis](const auto& a, const auto& b) { return a.place[axis] < b.place[axis]; });
+}
+
+/// The cut that makes the samples most likely.
+Cut best_cut(std::span<WeightedPlace> samples) {
+    Cut best;
+    for (int axis = 0; axis < 4; ++axis) {
+        sort_along(samples, axis);
+        std::size_t gap = fewest;
+        const auto width = [&](std::size_t k) {
+            return samples[k].place[axis] - samples[k - 1].place[axis];
+        };
+        for (std::size_t k = fewest; k + fewest <= samples.size(); ++k)
+            if (width(k) > width(gap)) gap = k;
+        for (const std::size_t first : {gap, samples.size() / 2}) {
+            if (!(width(first) > 0.0)) continue;
+            const double worth = worth_of(samples.first(first)) + worth_of(samples.subspan(first));
+            if (worth > best.worth) best = {axis, first, worth};
+        }
+    }
+    return best;
+}
+
 }  // namespace
 
 DensityTree::DensityTree(std::span<WeightedPlace> samples) {
@@ -40,8 +80,6 @@ DensityTree::DensityTree(std::span<WeightedPlace> samples) {
     grow(samples, Place::Constant(-all), Place::Constant(all), 0);
 }
 
-/// Splits in the middle of the samples, along the axis that leaves the densest halves: the most
-/// likely of the four histograms.
 std::uint32_t DensityTree::grow(std::span<WeightedPlace> samples, const Place& low,
                                 const Place& high, int depth) {
     const auto number = static_cast<std::uint32_t>(nodes_.size());
@@ -49,29 +87,13 @@ std::uint32_t DensityTree::grow(std::span<WeightedPlace> samples, const Place& l
     // Unseen samples lie about a gap beyond the outermost that were seen.
     const Place margin =
         ((box.high - box.low) * (2.0 / static_cast<double>(samples.size()))).max(narrowest);
-    Node node{(box.low - margin).max(low), (box.high + margin).min(high)};
+    const Node node{(box.low - margin).max(low), (box.high + margin).min(high)};
     nodes_.push_back(node);
-    if (samples.size() < 2 * leaf_size || depth == deepest) return number;
-    const std::size_t half = samples.size() / 2;
-    const auto middle = samples.begin() + static_cast<std::ptrdiff_t>(half);
-    double best = std::numeric_limits<double>::infinity();
-    int axis = -1;
-    const auto split = [&](int along) {
-        std::nth_element(samples.begin(), middle, samples.end(), [&](const auto& a, const auto& b) {
-            return a.place[along] < b.place[along];
-        });
-    };
-    for (int along = 0; along < 4; ++along) {
-        if (!(box.high[along] - box.low[along] > 4.0 * narrowest)) continue;
-        split(along);
-        const double volume =
-            Box(samples.first(half)).log_volume() + Box(samples.subspan(half)).log_volume();
-        if (volume < best) best = volume, axis = along;
-    }
+    if (samples.size() < leaf_size || depth == deepest) return number;
+    const auto [axis, half, worth] = best_cut(samples);
     if (axis < 0) return number;
-    split(axis);
-    const Box lower(samples.first(half)), upper(samples.subspan(half));
-    const double border = 0.5 * (lower.high[axis] + upper.low[axis]);
+    sort_along(samples, axis);
+    const double border = 0.5 * (samples[half - 1].place[axis] + samples[half].place[axis]);
     const Place outer_low = node.low, outer_high = node.high;  // a child stays within
     Place first_high = outer_high, second_low = outer_low;
     first_high[axis] = second_low[axis] = border;

@@ -12,8 +12,8 @@ constexpr double by_power = 0.5;   // share of first launches; the others evenly
 constexpr double in_doubt = 0.15;  // share of launches as at first, whatever was learned
 constexpr double guided_share = 0.5;
 constexpr std::size_t few = 16;           // samples a lamp: too few to learn from
-constexpr std::size_t enough = 100'000;   // more teach little
-constexpr std::size_t to_choose = 8'000;  // by which heights are compared
+constexpr std::size_t enough = 40'000;    // more teach little
+constexpr std::size_t to_choose = 4'000;  // by which heights are compared
 constexpr std::size_t most_heights = 10;
 constexpr double level = 0.9999;  // cosine between planes that are parallel [1]
 

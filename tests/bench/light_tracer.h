@@ -12,7 +12,7 @@ namespace patchlight {
 
 struct TracerSettings {
     double landings = 2e7;  // of light on fronts, in all; 4 times as many: half the noise
-    double a_bin = 2000.0;  // landings of a bin; fewer: finer bins, more noise in each
+    double a_bin = 500.0;   // landings of a bin; fewer: finer bins, more noise in each
     std::uint64_t seed = 1;
 };
 

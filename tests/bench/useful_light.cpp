@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace patchlight {
@@ -16,11 +17,13 @@ constexpr std::size_t tasks = 64;
 constexpr std::size_t launches = 131'072;  // a round
 constexpr std::size_t searches = 640'000;  // from where light may land, where a round has any
 constexpr int rounds = 8, search_rounds = 5;
-constexpr double found_enough = 5000.0;  // samples as good as of even weight: no more is searched
-constexpr double plenty = 200'000.0;     // nothing more is learned either
-constexpr double gain = 1.2;             // in those a launch: less, and nothing more is learned
-constexpr double by_area = 0.7;          // share of searches; the others evenly over surfaces
-constexpr double a_bin = 12.0;           // landings by which radiosity is told
+constexpr double found_enough = 20'000.0;  // samples as good as of even weight: no more is searched
+constexpr double a_lamp = 200.0;           // as many are enough of one lamp
+constexpr double trifle = 3e-4;            // of all flux [1]
+constexpr double plenty = 200'000.0;       // nothing more is learned either
+constexpr double gain = 1.2;               // in those a launch: less, and nothing more is learned
+constexpr double by_area = 0.7;            // share of searches; the others evenly over surfaces
+constexpr double a_bin = 12.0;             // landings by which radiosity is told
 
 struct Found {
     UsefulLight light;
@@ -136,22 +139,48 @@ std::vector<UsefulLight> weigh(const TracedScene& traced, std::vector<Found>& fo
         useful.push_back(one.light);
         const std::size_t bin = bin_of(one);
         if (bins.area(bin) > 0.0)
-            useful.back().importance = one.light.flux * flux[bin] / bins.area(bin);
+            // What others found there: one sample, however heavy, is no bright spot.
+            useful.back().importance =
+                one.light.flux * std::max(0.0, flux[bin] - one.light.flux) / bins.area(bin);
     }
     return useful;
 }
 
-/// As many samples of even weight would tell as much, of flux and of what matters.
-double effective_count(std::span<const UsefulLight> useful) {
+struct Sums {
     double flux = 0.0, importance = 0.0, flux_squares = 0.0, importance_squares = 0.0;
-    for (const UsefulLight& light : useful) {
+
+    void add(const UsefulLight& light) {
         flux += light.flux;
         importance += light.importance;
         flux_squares += light.flux * light.flux;
         importance_squares += light.importance * light.importance;
     }
-    if (!(importance_squares > 0.0)) return 0.0;
-    return std::min(flux * flux / flux_squares, importance * importance / importance_squares);
+    /// As many samples of even weight would tell as much, of flux and of what matters.
+    double count() const {
+        if (!(importance_squares > 0.0)) return 0.0;
+        return std::min(flux * flux / flux_squares, importance * importance / importance_squares);
+    }
+};
+
+/// Of all samples; less if those of one lamp object are too few, though its light is no trifle, or
+/// though none of it was found.
+double effective_count(const TracedScene& traced, const Emission& emission,
+                       std::span<const UsefulLight> useful) {
+    const auto object = [&](std::size_t lamp) {
+        return traced.scene().surfaces[emission.surface(lamp)].object;
+    };
+    std::map<ObjectIndex, Sums> of_object;
+    for (std::size_t lamp = 0; lamp < emission.lamps(); ++lamp) of_object[object(lamp)];
+    Sums all;
+    for (const UsefulLight& light : useful) {
+        all.add(light);
+        of_object[object(light.lamp)].add(light);
+    }
+    double count = all.count();
+    for (const auto& [which, sums] : of_object)
+        if (!(sums.flux > 0.0) || sums.flux > trifle * all.flux)
+            count = std::min(count, found_enough / a_lamp * sums.count());
+    return count;
 }
 
 }  // namespace
@@ -182,8 +211,7 @@ void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint
         found.insert(found.end(), more.begin(), more.end());
         const std::vector<UsefulLight> useful = weigh(traced, found);
         emission.learn(useful);
-        const double before = std::exchange(told, effective_count(useful));
-        if (getenv("DBG")) fprintf(stderr, "%d %zu %g\n", seek, more.size(), told);
+        const double before = std::exchange(told, effective_count(traced, emission, useful));
         if (told > plenty || (told > found_enough && told < gain * before)) break;
     }
 }
