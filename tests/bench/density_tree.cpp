@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t leaf_size = 16;  // samples
 constexpr std::size_t fewest = 4;      // of half a box
 constexpr int deepest = 40;
-constexpr double spread = 0.08;  // of a box's mass, evenly over it [1]
+constexpr double spread = 0.08;                              // of a box's mass, evenly over it [1]
+constexpr double doubt_of_all = 0.25, doubt_of_part = 0.03;  // of a box's width [1]
 constexpr double narrowest = 1e-9;
 
 struct Box {
@@ -84,9 +85,11 @@ std::uint32_t DensityTree::grow(std::span<WeightedPlace> samples, const Place& l
                                 const Place& high, int depth) {
     const auto number = static_cast<std::uint32_t>(nodes_.size());
     const Box box(samples);
-    // Unseen samples lie about a gap beyond the outermost that were seen.
-    const Place margin =
-        ((box.high - box.low) * (2.0 / static_cast<double>(samples.size()))).max(narrowest);
+    // Unseen samples lie about a gap beyond the outermost that were seen. The outermost box is the
+    // only one that finds what all others leave out.
+    const double beyond = std::max(2.0 / static_cast<double>(samples.size()),
+                                   depth == 0 ? doubt_of_all : doubt_of_part);
+    const Place margin = ((box.high - box.low) * beyond).max(narrowest);
     const Node node{(box.low - margin).max(low), (box.high + margin).min(high)};
     nodes_.push_back(node);
     if (samples.size() < leaf_size || depth == deepest) return number;

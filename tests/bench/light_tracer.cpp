@@ -50,7 +50,7 @@ void LightTracer::follow(Random& random, const Landing& landed) const {
 
 LightTracer::LightTracer(const Scene& scene, const TracerSettings& settings)
     : scene_(scene), settings_(settings), traced_(scene), emission_(traced_) {
-    learn_useful_light(traced_, emission_, settings.seed ^ 0x5eed);
+    learn_useful_light(traced_, emission_, settings.seed ^ 0x5eed, settings.searches);
     find_bins();
     if (emission_.is_dark()) return;
     batches_.resize(2 * pairs);

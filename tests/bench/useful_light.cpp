@@ -13,9 +13,8 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t tasks = 64;
-constexpr std::size_t launches = 131'072;  // a round
-constexpr std::size_t searches = 640'000;  // from where light may land, where a round has any
+constexpr std::size_t tasks = 16;
+constexpr std::size_t searches_a_launch = 5;
 constexpr int rounds = 8, search_rounds = 5;
 constexpr double found_enough = 20'000.0;  // samples as good as of even weight: no more is searched
 constexpr double a_lamp = 200.0;           // as many are enough of one lamp
@@ -35,8 +34,8 @@ struct Found {
 
 class Search {
   public:
-    Search(const TracedScene& traced, const Emission& emission)
-        : traced_(traced), emission_(emission) {
+    Search(const TracedScene& traced, const Emission& emission, std::size_t searches)
+        : traced_(traced), emission_(emission), searches_(searches) {
         const Scene& scene = traced.scene();
         for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
             if (!(reflectance(s) > 0.0).any()) continue;
@@ -46,13 +45,15 @@ class Search {
         }
     }
     bool is_dark() const { return fronts_.empty(); }
+    std::size_t launches() const { return searches_ / searches_a_launch; }
 
     std::vector<Found> round(const Emission& emission, bool search, std::uint64_t seed) const {
         std::vector<std::vector<Found>> found(tasks);
         tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t task) {
             Random random(seed, task);
-            for (std::size_t k = 0; k < launches / tasks; ++k) sent(emission, random, found[task]);
-            for (std::size_t k = 0; search && k < searches / tasks; ++k)
+            for (std::size_t k = 0; k < launches() / tasks; ++k)
+                sent(emission, random, found[task]);
+            for (std::size_t k = 0; search && k < searches_ / tasks; ++k)
                 sought(random, found[task]);
         });
         std::vector<Found> all;
@@ -108,7 +109,7 @@ class Search {
         const double squared = ray.squaredNorm();
         Found one{{lamp, place, 0.0, 0.0}, {s, traced_.flat(s).frame.flat(b), 0.0}};
         one.yield = luminance(emission_.intensity(lamp) * reflectance(s));
-        one.sought = static_cast<double>(searches) * emission_.chance_of(lamp) /
+        one.sought = static_cast<double>(searches_) * emission_.chance_of(lamp) /
                      area(emission_.surface(lamp)) * search_density(s) * squared * squared /
                      (up * down);
         found.push_back(one);
@@ -116,6 +117,7 @@ class Search {
 
     const TracedScene& traced_;
     const Emission emission_;           // that has learned nothing: searches choose lamps by it
+    std::size_t searches_;              // a round
     std::vector<SurfaceIndex> fronts_;  // that reflect
     std::vector<double> cumulated_;     // their areas [m²]
     double area_ = 0.0;
@@ -187,9 +189,10 @@ double effective_count(const TracedScene& traced, const Emission& emission,
 
 /// Samples of all rounds are kept, each weighed by how often all of them should have found it (the
 /// balance heuristic; Veach & Guibas, "Optimally combining sampling techniques", 1995).
-void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint64_t seed) {
+void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint64_t seed,
+                        std::size_t searches) {
     if (emission.is_dark()) return;
-    const Search search(traced, emission);
+    const Search search(traced, emission, searches);
     if (search.is_dark()) return;
     std::vector<Found> found;
     std::vector<Emission> sent;
@@ -200,7 +203,8 @@ void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint
             search.round(emission, seek, seed + static_cast<std::uint64_t>(round));
         sent.push_back(emission);
         const auto density = [&](const Emission& of, const Found& one) {
-            return static_cast<double>(launches) * of.density(one.light.lamp, one.light.place);
+            return static_cast<double>(search.launches()) *
+                   of.density(one.light.lamp, one.light.place);
         };
         for (Found& one : found) one.expected += density(emission, one) + (seek ? one.sought : 0.0);
         searched += seek ? 1.0 : 0.0;
