@@ -47,7 +47,7 @@ struct Options {
 };
 
 struct Tally {
-    int scenes = 0, within = 0, surely = 0, met = 0, false_met = 0;
+    int scenes = 0, within = 0, surely = 0, met = 0, false_met = 0, useless = 0;
     std::vector<double> ratio;
 };
 using Tallies = std::map<std::pair<std::string, double>, Tally>;  // by class and accuracy
@@ -127,6 +127,7 @@ void judge(const std::string& kind, const std::string& name, const Scene& scene,
         tally.within += within;
         tally.surely += surely;
         tally.met += met;
+        tally.useless += !estimate || *estimate > 1.0;
         tally.false_met += met && error.value - 2.0 * error.sigma() > accuracy;
         if (estimate && error.value > 0.0) tally.ratio.push_back(*estimate / error.value);
     }
@@ -157,9 +158,9 @@ void summarise(Tallies& tallies) {
         const double median = tally.ratio.empty() ? 0.0 : tally.ratio[tally.ratio.size() / 2];
         std::printf(
             "# %s %g: within %d/%d (surely %d), median estimate/true %.2f, met %d, "
-            "false met %d\n",
+            "false met %d, none or above 1: %d\n",
             key.first.c_str(), key.second, tally.within, tally.scenes, tally.surely, median,
-            tally.met, tally.false_met);
+            tally.met, tally.false_met, tally.useless);
     }
 }
 

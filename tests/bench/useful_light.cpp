@@ -15,11 +15,12 @@ namespace {
 
 constexpr std::size_t tasks = 16;
 constexpr std::size_t searches_a_launch = 5;
-constexpr int rounds = 8, search_rounds = 5;
+constexpr int rounds = 12, search_rounds = 5;
 constexpr double found_enough = 20'000.0;  // samples as good as of even weight: no more is searched
+constexpr double most_kept = 60'000.0;     // samples from one round to the next
 constexpr double a_lamp = 200.0;           // as many are enough of one lamp
 constexpr double trifle = 3e-4;            // of all flux [1]
-constexpr double plenty = 200'000.0;       // nothing more is learned either
+constexpr double plenty = 40'000.0;        // nothing more is learned either
 constexpr double gain = 1.2;               // in those a launch: less, and nothing more is learned
 constexpr double by_area = 0.7;            // share of searches; the others evenly over surfaces
 constexpr double a_bin = 12.0;             // landings by which radiosity is told
@@ -185,6 +186,24 @@ double effective_count(const TracedScene& traced, const Emission& emission,
     return count;
 }
 
+/// Leaves about so many samples, of even worth: most of those worth little go, the others of them
+/// stand for them.
+void thin(std::vector<Found>& found, std::span<const UsefulLight> useful, Random& random) {
+    Sums all;
+    for (const UsefulLight& light : useful) all.add(light);
+    if (!(all.importance > 0.0)) return;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        const double worth =
+            0.5 * useful[k].flux / all.flux + 0.5 * useful[k].importance / all.importance;
+        const double stays = worth * most_kept;
+        if (!random.chance(stays)) continue;
+        found[kept] = found[k];
+        found[kept++].yield /= std::min(1.0, stays);
+    }
+    found.resize(kept);
+}
+
 }  // namespace
 
 /// Samples of all rounds are kept, each weighed by how often all of them should have found it (the
@@ -196,6 +215,7 @@ void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint
     if (search.is_dark()) return;
     std::vector<Found> found;
     std::vector<Emission> sent;
+    Random random(seed, tasks);
     double searched = 0.0, told = 0.0;
     for (int round = 0; round < rounds; ++round) {
         const bool seek = round == 0 || (round < search_rounds && told < found_enough);
@@ -217,6 +237,7 @@ void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint
         emission.learn(useful);
         const double before = std::exchange(told, effective_count(traced, emission, useful));
         if (told > plenty || (told > found_enough && told < gain * before)) break;
+        thin(found, useful, random);
     }
 }
 
