@@ -119,6 +119,8 @@ std::array<double, 3> mean_colour(const PatchlightMeanRequest& request) {
     OIIO::Filesystem::IOMemReader memory(request.bytes, request.count);
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
+    OIIO::Filesystem::IOProxy* const proxy = &memory;
+    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
     const auto file = OIIO::ImageInput::open(name, &config, &memory);
     if (!file) throw std::runtime_error(OIIO::geterror());
     const OIIO::ImageSpec spec = file->spec();
