@@ -44,9 +44,11 @@ std::uint32_t count_of(std::string_view bytes) {
     return count;
 }
 
-/// The number of triangles ends in a NUL in every file within the limits, and text has none.
+/// The number of triangles ends in a NUL in every file within the limits, and text has none; nor
+/// has it the byte that a number out of all reason ends in.
 bool is_text(std::string_view bytes) {
-    return bytes.substr(0, header_bytes).find('\0') == std::string_view::npos;
+    constexpr std::string_view in_no_text("\0\xFF", 2);
+    return bytes.substr(0, header_bytes).find_first_of(in_no_text) == std::string_view::npos;
 }
 
 void require_all_triangles(std::string_view bytes, const std::string& file) {

@@ -145,7 +145,7 @@ TEST(CommandLine, AGeometryFileIsAScene) {
     EXPECT_EQ(result["objects"][0]["name"], "floor/half");
     EXPECT_EQ(result["findings"][0]["kind"], "default-material");
     write_test_file("UP.STL", "solid\n");
-    expect_refused("check UP.STL", "error: UP.STL:1: the file ends before 'endsolid'");
+    expect_refused("check UP.STL", "error: UP.STL: has no triangles");
     write_test_file("bad.obj", "v 0 0 0\n\nf 1 2 3\n");
     expect_refused("check bad.obj", "error: bad.obj:3: vertex 2 does not exist");
     expect_refused("check ./bad.obj", "error: ./bad.obj:3: vertex 2");
