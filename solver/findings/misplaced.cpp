@@ -57,8 +57,9 @@ bool has_back_behind(const FlawSearch& search, SurfaceIndex s, const Vec3& p) {
 /// Ends as soon as a front is seen.
 View look(const FlawSearch& search, const Vec3& point, const RayPoint& normal, Part part,
           std::uint64_t seed) {
+    const FrameIndex frame = search.rays.frame_at(point);
     const RayPoint origin =
-        search.rays.to_ray_space(point) + off_contact * search.rays.contact() * normal;
+        search.rays.to_ray_space(point, frame) + off_contact * search.rays.contact(frame) * normal;
     View view;
     for (int first = 0; first < all_looks && view.fronts == 0; first += ray_batch) {
         if (first >= first_looks && view.backs + view.both == 0 && part == Part::before) break;
@@ -68,6 +69,7 @@ View look(const FlawSearch& search, const Vec3& point, const RayPoint& normal, P
                 direction(normal, part, mix(seed, static_cast<std::uint64_t>(first + k)));
             batch.ox[k] = origin.x(), batch.oy[k] = origin.y(), batch.oz[k] = origin.z();
             batch.dx[k] = way.x(), batch.dy[k] = way.y(), batch.dz[k] = way.z();
+            batch.frame[k] = frame;
         }
         LandingBatch landings{};
         search.rays.land(batch, ray_batch, landings);
@@ -80,7 +82,8 @@ View look(const FlawSearch& search, const Vec3& point, const RayPoint& normal, P
                 continue;
             }
             const Vec3 at = search.rays.from_ray_space(
-                RayPoint(landings.x[k], landings.y[k], landings.z[k]).cast<double>());
+                RayPoint(landings.x[k], landings.y[k], landings.z[k]).cast<double>(),
+                search.rays.frame(s));
             ++(has_back_behind(search, s, at) ? view.both : view.fronts);
         }
     }
