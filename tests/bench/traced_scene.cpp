@@ -86,7 +86,8 @@ TracedScene::TracedScene(const Scene& scene)
     : scene_(scene),
       centre_(middle_of(scene)),
       is_second_half_(scene.surfaces.size()),
-      coincident_(scene.surfaces.size()) {
+      coincident_(scene.surfaces.size()),
+      covers_(scene.surfaces.size()) {
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         const Surface& surface = scene.surfaces[s];
         is_second_half_[s] = surface.side == Side::back;
@@ -94,6 +95,7 @@ TracedScene::TracedScene(const Scene& scene)
         lift_.push_back(steps * float_step * reach_of(surface, centre_));
     }
     find_coincident();
+    find_covers();
     build_triangles();
 }
 
@@ -131,6 +133,14 @@ void TracedScene::find_coincident() {
             if (!in_plane) continue;
             coincident_[small].push_back(large);
             coincident_[large].push_back(small);
+        }
+}
+
+void TracedScene::find_covers() {
+    for (SurfaceIndex s = 0; s < scene_.surfaces.size(); ++s)
+        for (const SurfaceIndex other : coincident_[first_half(s)]) {
+            const auto front = facing(other, -scene_.surfaces[s].normal);
+            if (front && *front > s) covers_[s].push_back(*front);
         }
 }
 
@@ -223,13 +233,9 @@ bool TracedScene::sees(SurfaceIndex from, const Vec3& a, SurfaceIndex to, const 
 }
 
 bool TracedScene::is_covered(SurfaceIndex s, const Vec3& position) const {
-    for (const SurfaceIndex other : coincident_[first_half(s)]) {
-        const auto front = facing(other, -scene_.surfaces[s].normal);
-        if (front && *front > s &&
-            contains(flat_[other].corners, flat_[other].frame.flat(position)))
-            return true;
-    }
-    return false;
+    return std::any_of(covers_[s].begin(), covers_[s].end(), [&](SurfaceIndex cover) {
+        return contains(flat_[cover].corners, flat_[cover].frame.flat(position));
+    });
 }
 
 }  // namespace patchlight

@@ -51,7 +51,7 @@ class TracedScene {
     /// Whether a surface listed later lies on this one there, facing the same way.
     bool is_covered(SurfaceIndex s, const Vec3& position) const;
     /// Whether anything may cover it somewhere.
-    bool may_be_covered(SurfaceIndex s) const { return !coincident_[first_half(s)].empty(); }
+    bool may_be_covered(SurfaceIndex s) const { return !covers_[s].empty(); }
 
   private:
     SurfaceIndex first_half(SurfaceIndex s) const { return is_second_half_[s] ? s - 1 : s; }
@@ -59,6 +59,7 @@ class TracedScene {
     std::optional<SurfaceIndex> facing(SurfaceIndex first, const Vec3& direction) const;
     Vec3 lifted(SurfaceIndex s, const Vec3& position) const;
     void find_coincident();
+    void find_covers();
     void build_triangles();
 
     const Scene& scene_;
@@ -67,6 +68,7 @@ class TracedScene {
     std::vector<char> is_second_half_;                   // of a two-sided polygon
     std::vector<double> lift_;                           // from where rays leave a surface [m]
     std::vector<std::vector<SurfaceIndex>> coincident_;  // of first halves, with first halves
+    std::vector<std::vector<SurfaceIndex>> covers_;      // listed later, facing the same way
     std::vector<std::array<Vec3, 3>> triangles_;
     std::vector<SurfaceIndex> surface_of_;  // of each triangle, a first half
     RTCDeviceTy* device_ = nullptr;
