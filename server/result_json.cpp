@@ -38,6 +38,14 @@ Json error_of(const ErrorReport& error, const Scene& scene) {
     if (error.form_factors) block["form_factors"] = *error.form_factors;
     if (error.mesh) block["mesh"] = *error.mesh;
     if (error.target && error.estimate) block["met"] = error.met();
+    if (const auto& check = error.transport)
+        block["transport_check"] = {{"proven", check->proven},
+                                    {"difference", check->difference},
+                                    {"standard_error", check->standard_error},
+                                    {"doubt", check->doubt},
+                                    {"particles", check->particles},
+                                    {"rays", check->rays}};
+    if (error.estimate) block["of"] = "field";
     if (error.worst)
         block["worst_object"] = {{"name", scene.objects.at(error.worst->object).name},
                                  {"estimate", error.worst->estimate}};
@@ -49,7 +57,8 @@ Json energy_of(const EnergyReport& energy) {
             {"absorbed", channels(energy.absorbed)},
             {"backs", channels(energy.backs)},
             {"escaped", channels(energy.escaped)},
-            {"defect", energy.defect}};
+            {"defect", energy.defect},
+            {"standard_error", energy.standard_error}};
 }
 
 Json convergence_of(const std::vector<ConvergenceStep>& steps) {

@@ -22,7 +22,7 @@ static_assert(std::endian::native == std::endian::little, "binary STL is little-
 constexpr std::size_t header_bytes = 84;    // 80 of any text, then the number of triangles
 constexpr std::size_t triangle_bytes = 50;  // a normal and three corners of floats, and 2 more
 
-std::string small(std::string_view word) {
+std::string lower_case(std::string_view word) {
     std::string lowered(word);
     for (char& letter : lowered)
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
@@ -134,7 +134,7 @@ class TextReader {
                    "write the file again");
             return false;
         }
-        const std::string word = small(lines_.word());
+        const std::string word = lower_case(lines_.word());
         if (is_end(word, "solid")) return false;
         if (word == "color" || word == "colour") return has_colours_ = true;
         if (word != "facet")
@@ -152,28 +152,28 @@ class TextReader {
             const char* const due = corners < 3 ? "vertex" : "endloop";
             if (!lines_.next())
                 lines_.reject(std::string("the file ends where '") + due + "' should follow");
-            const std::string word = small(lines_.word());
+            const std::string word = lower_case(lines_.word());
             if (corners >= 3 && is_end(word, "loop")) break;
             if (word != "vertex")
                 lines_.reject(std::string("expected '") + due + "', not " + in_quotes(word));
             geometry_.vertices.push_back(lines_.point(largest_file_coordinate));
         }
         if (!lines_.next()) lines_.reject("the file ends where 'endfacet' should follow");
-        if (const std::string word = small(lines_.word()); !is_end(word, "facet"))
+        if (const std::string word = lower_case(lines_.word()); !is_end(word, "facet"))
             lines_.reject("expected 'endfacet', not " + in_quotes(word));
         add_face(geometry_, corners, line);
     }
 
     /// "endloop", or "end" and "loop" after it.
     bool is_end(const std::string& word, const std::string& of) {
-        return word == "end" + of || (word == "end" && small(lines_.word()) == of);
+        return word == "end" + of || (word == "end" && lower_case(lines_.word()) == of);
     }
 
     void expect(std::string_view words) {
         for (std::string_view left = words; !left.empty();) {
             const std::string_view word = left.substr(0, left.find(' '));
             left.remove_prefix(std::min(word.size() + 1, left.size()));
-            if (const std::string_view found = lines_.word(); small(found) != word)
+            if (const std::string_view found = lines_.word(); lower_case(found) != word)
                 lines_.reject("expected " + in_quotes(words) + ", not " +
                               (found.empty() ? "the end of the line" : in_quotes(found)));
         }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t lines = 128;  // through each aperture
 
-float number(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
+float unit_number(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
 
 }  // namespace
 
@@ -35,7 +35,7 @@ LightSpots::LightSpots(const Scene& scene, const PatchMesh& mesh, const RayScene
     for (std::size_t g = 0; g < apertures.size(); ++g)
         for (std::size_t n = 0; n < lines; ++n) {
             const std::uint64_t key = mix(mix(seed, g), n);
-            const auto random = [&](std::uint64_t k) { return number(mix(key, k)); };
+            const auto random = [&](std::uint64_t k) { return unit_number(mix(key, k)); };
             const double at = static_cast<double>(random(0)) * power.back();
             const std::size_t by_power = std::min<std::size_t>(
                 static_cast<std::size_t>(std::upper_bound(power.begin(), power.end(), at) -

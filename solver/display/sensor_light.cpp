@@ -9,15 +9,15 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t sensors_at_a_time = 64;
-constexpr float off_contact = 1.2f;  // of the contact distance: above what touches the sensor
+constexpr std::size_t sensors_together = 64;
+constexpr float clear_of_contact = 1.2f;  // of the contact distance: above what touches the sensor
 
 SensorReport light_at(const Sensor& sensor, std::size_t number, const RayScene& rays,
                       const PointGather& gather, const ReflectedField& field,
                       const SensorEffort& effort) {
     const FrameIndex frame = rays.frame_at(sensor.position);
     const GatherPoint point =
-        gather.at(sensor.position, sensor.normal, off_contact * rays.contact(frame), frame);
+        gather.at(sensor.position, sensor.normal, clear_of_contact * rays.contact(frame), frame);
     std::array<Rgb, 2> sum{}, indirect{};
     for (std::size_t half = 0; half < 2; ++half) {
         const std::uint64_t key = mix(effort.seed, 2 * number + half);
@@ -39,8 +39,8 @@ std::vector<SensorReport> light_at_sensors(const Scene& scene, const RayScene& r
                                            const SensorEffort& effort,
                                            const std::function<bool(double)>& go_on) {
     std::vector<SensorReport> reports(scene.sensors.size());
-    for (std::size_t first = 0; first < reports.size(); first += sensors_at_a_time) {
-        const std::size_t end = std::min(first + sensors_at_a_time, reports.size());
+    for (std::size_t first = 0; first < reports.size(); first += sensors_together) {
+        const std::size_t end = std::min(first + sensors_together, reports.size());
         tbb::parallel_for(first, end, [&](std::size_t s) {
             reports[s] = light_at(scene.sensors[s], s, rays, gather, field, effort);
         });

@@ -13,7 +13,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t most_lamps = 1000;  // objects that are looked at
+constexpr std::size_t most_wasteful = 1000;  // objects that are looked at
 constexpr std::size_t first_rays = 64;    // of which mostly one meets a front
 constexpr std::size_t all_rays = 4096;
 constexpr std::size_t most_targets = 2000;  // surfaces that a lamp may reach past all rays
@@ -36,7 +36,7 @@ class WastedLight {
         std::vector<Finding> findings;
         std::size_t looked_at = 0;
         for (const auto& [object, surfaces] : lamps) {
-            if (++looked_at > most_lamps) break;
+            if (++looked_at > most_wasteful) break;
             const Fate fate = fate_of(surfaces);
             if (fate.fronts > 0 || (fate.backs > 0 && backs_are_told)) continue;
             if (lights_a_sensor(surfaces) || reaches_a_front(surfaces)) continue;
