@@ -30,6 +30,7 @@ constexpr double first_for = 0.5;                         // samples of each lam
 constexpr int most_first = 512;
 constexpr double direct_noise = 0.25;  // of the target, that samples of lamps leave
 constexpr double balanced = 0.02;      // of the target, that may be missing of the energy
+constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 constexpr int fewest_rays = 96, most_rays = 1 << 15;  // multiples of 32
@@ -61,7 +62,11 @@ class AccuracySolve {
     EnergyAim energy_aim() const;
     bool prepare_transport();
     bool gather(double coarseness);
+    ErrorMeasure error_measure() const {
+        return {stage_.scene, solution_.mesh, light_, backs_, escaped_, stage_.rays, target_};
+    }
     void measure();
+    void check_from_lamps();
     void aim_closer();
     bool is_settling();
     bool settle();
@@ -135,9 +140,14 @@ bool AccuracySolve::gather(double coarseness) {
 }
 
 void AccuracySolve::measure() {
-    const ErrorMeasure measure{stage_.scene, solution_.mesh, light_, backs_,
-                               escaped_,     stage_.rays,    target_};
-    measured_ = measure.at(aim_, seed(0x636865636b), [this] { return go_on(); });
+    measured_ = error_measure().at(aim_, seed(0x636865636b), [this] { return go_on(); });
+    if (measured_->error.met()) check_from_lamps();
+    solution_.error = measured_->error;
+}
+
+void AccuracySolve::check_from_lamps() {
+    error_measure().check_from_lamps(aim_, seed(0x6c616d70), stopped_ != StopReason::tolerance,
+                                     *measured_);
     solution_.error = measured_->error;
 }
 
@@ -196,6 +206,7 @@ void AccuracySolve::run() {
         if (!light_.reflects()) {  // nothing is sent back, so nothing can be wrong
             if (gather(1.0)) solution_.status = Status::converged;
         } else {
+            int contradicted = 0;
             bool gathered = first_target > target_ ? settle() : gather(1.0);
             for (int round = 0; gathered && round < most_rounds; ++round) {
                 measure();
@@ -203,10 +214,12 @@ void AccuracySolve::run() {
                     solution_.status = Status::converged;
                     break;
                 }
+                if (measured_->error.transport && ++contradicted > most_contradictions) break;
                 aim_closer();
                 gathered = gather(1.0);
             }
             if (stopped_ != StopReason::cancelled && light_.shown() && !measured_) measure();
+            if (measured_ && !measured_->error.transport) check_from_lamps();
         }
     }
     if (stopped_ == StopReason::cancelled) solution_.status = Status::cancelled;

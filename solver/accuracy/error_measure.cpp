@@ -15,7 +15,7 @@ constexpr double uncorrected = 2.0;         // times a change that could not be 
 constexpr double doubtful = 1.4;            // times what was measured: few points count for much
 constexpr double promising = 0.9;           // of the target: worth more points
 constexpr int most_checks = 8;
-constexpr double share_of_rays = 0.25;  // of those gathered with, particles may take
+constexpr double share_of_rays = 0.1;  // of those gathered with, particles may take
 constexpr std::size_t vertices_per_check = 8;
 constexpr double propagation_tolerance = 0.01;  // of what a residual comes to
 
@@ -102,19 +102,20 @@ MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed,
                               (times == 1 && *round.error.estimate > doubtful * without_doubt);
         if (round.error.met() || !worth_it || !go_on()) break;
     }
-    if (round.error.estimate) check_from_lamps(aim, reflected, mix(seed, 0x6c616d70), round);
     return round;
 }
 
-/// Where check points find nothing wrong, or nothing else will be measured.
-void ErrorMeasure::check_from_lamps(const GatherAim& aim, const ReflectedLight& reflected,
-                                    std::uint64_t seed, MeasuredRound& round) const {
+void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, bool hurried,
+                                    MeasuredRound& round) const {
+    if (!round.error.estimate) return;
+    const ReflectedLight reflected = light.reflected();
     const double gathered =
         static_cast<double>(light.pass().indirect().gathered()) * aim.rays +
         static_cast<double>(light.pass().direct().gathered()) * aim.effort.first;
     ParticleEffort effort;
     effort.target = target;
     effort.rays = static_cast<std::uint64_t>(share_of_rays * gathered);
+    effort.is_hurried = hurried;
     effort.norm = reflected.norm;
     effort.area = reflected.area;
     ParticleEvidence found =

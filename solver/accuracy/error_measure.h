@@ -29,6 +29,10 @@ struct ErrorMeasure {
     MeasuredRound at(const GatherAim& aim, std::uint64_t seed,
                      const std::function<bool()>& go_on) const;
 
+    /// Adds what particles say; in a hurry a few of them.
+    void check_from_lamps(const GatherAim& aim, std::uint64_t seed, bool hurried,
+                          MeasuredRound& round) const;
+
   private:
     Evidence evidence(const CheckReport& checks, const ReflectedLight& reflected) const;
     void check_from_lamps(const GatherAim& aim, const ReflectedLight& reflected, std::uint64_t seed,

@@ -60,7 +60,7 @@ class ApertureSearch {
                 for (const Passage& passage : now)
                     if (passage.grazes() == grazes) look_at(passage);
             first += count;
-            if (found_.size() == before || found_.size() >= most_apertures) break;
+            if (found_.size() <= before + before / 16 || found_.size() >= most_apertures) break;
             count = std::min(std::max(count, most_first), most_lines - first);
         }
         return std::move(found_);

@@ -19,6 +19,28 @@ constexpr float depth = 2.0f;    // of what bounds a gap, over its width [1]
 
 }  // namespace
 
+/// What bounds a gap lies about as near its plane as it is wide: what is met farther off is what the
+/// light falls on.
+float GapProbe::half_at(float offset) const {
+    return std::min(inside * reach, depth * offset + least * widest);
+}
+
+bool GapProbe::may_be_gap(const RayPoint& point, const Axes& axes) const {
+    RayBatch batch;
+    const std::array<RayPoint, 4> ways{axes.first, -axes.first, axes.second, -axes.second};
+    for (std::size_t k = 0; k < ray_batch; ++k) {
+        const float offset = widest * std::pow(0.25f, static_cast<float>(k % 4));
+        const float half = half_at(offset);
+        const RayPoint from = point + offset * ways[k / 4] - half * direction,
+                       ray = 2.0f * half * direction;
+        batch.ox[k] = from.x(), batch.oy[k] = from.y(), batch.oz[k] = from.z();
+        batch.dx[k] = ray.x(), batch.dy[k] = ray.y(), batch.dz[k] = ray.z();
+    }
+    const std::uint32_t blocked = rays.blocked(batch, ray_batch);
+    const auto any = [&](unsigned way) { return ((blocked >> (4 * way)) & 15u) != 0; };
+    return (any(0) && any(1)) || (any(2) && any(3));
+}
+
 bool GapProbe::is_blocked(const RayPoint& point, float half) const {
     RayBatch batch;
     const RayPoint from = point - half * direction, ray = 2.0f * half * direction;
@@ -37,20 +59,16 @@ bool GapProbe::is_clear(const RayPoint& point, float half) const {
     return landed.landing[0] == Landing::front;
 }
 
-/// How far lines are clear from a clear point, `most` if it is as far. What bounds a gap lies about
-/// as near its plane as it is wide: what is met farther off is what the light falls on.
+/// How far lines are clear from a clear point, `most` if it is as far.
 GapProbe::Reach GapProbe::clear_along(const RayPoint& point, const RayPoint& unit, float first,
                                       float most) const {
-    const auto half = [&](float offset) {
-        return std::min(inside * reach, depth * offset + least * widest);
-    };
     float clear = 0.0f, next = first;
-    while (is_clear(point + next * unit, half(next))) {
+    while (is_clear(point + next * unit, half_at(next))) {
         clear = next;
         if (next >= most) return {most, false};
         next = std::min(2.0f * next, most);
     }
-    const float fixed = half(next);
+    const float fixed = half_at(next);
     float beyond = next;
     for (int k = 0; k < halvings; ++k) {
         const float middle = 0.5f * (clear + beyond);
@@ -59,15 +77,22 @@ GapProbe::Reach GapProbe::clear_along(const RayPoint& point, const RayPoint& uni
     return {beyond, is_blocked(point + beyond * unit, fixed)};
 }
 
+std::optional<GapProbe::Axes> GapProbe::axes(const RayPoint& outward, const RayPoint& along,
+                                             const RayPoint& normal) const {
+    Axes axes{outward, along.normalized()};
+    if (std::abs(direction.dot(normal)) >= grazing) return axes;
+    axes.second -= axes.second.dot(direction) * direction;
+    if (!(axes.second.norm() > grazing)) return std::nullopt;
+    axes.second.normalize();
+    axes.first = axes.second.cross(direction);
+    return axes;
+}
+
 std::optional<Aperture> GapProbe::find(const RayPoint& point, const RayPoint& outward,
                                        const RayPoint& along, const RayPoint& normal) const {
-    RayPoint first = outward, second = along.normalized();
-    if (std::abs(direction.dot(normal)) < grazing) {
-        second = second - second.dot(direction) * direction;
-        if (!(second.norm() > grazing)) return std::nullopt;
-        second.normalize();
-        first = second.cross(direction);
-    }
+    const std::optional<Axes> found = axes(outward, along, normal);
+    if (!found || !may_be_gap(point, *found)) return std::nullopt;
+    const auto& [first, second] = *found;
     RayPoint centre = point;
     float width = 0.0f, length = 0.0f;
     for (int round = 0; round < rounds; ++round) {

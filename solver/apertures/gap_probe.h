@@ -22,6 +22,14 @@ struct GapProbe {
                                  const RayPoint& along, const RayPoint& normal) const;
 
   private:
+    struct Axes {
+        RayPoint first, second;
+    };
+    std::optional<Axes> axes(const RayPoint& outward, const RayPoint& along,
+                             const RayPoint& normal) const;
+    /// Whether something bounds it on both sides of an axis: sixteen lines, to tell quickly.
+    bool may_be_gap(const RayPoint& point, const Axes& axes) const;
+    float half_at(float offset) const;
     bool is_blocked(const RayPoint& point, float half) const;
     /// Nothing blocks within `half` before and behind, and light that goes on meets a front.
     bool is_clear(const RayPoint& point, float half) const;

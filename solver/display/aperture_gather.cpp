@@ -9,6 +9,8 @@ namespace patchlight {
 namespace {
 
 constexpr int fewest = ray_batch;        // samples of an aperture
+constexpr std::size_t many = 32;          // apertures
+constexpr int fewest_of_many = 4;
 constexpr float samples_of_size = 8.0f;  // times its size over the distance
 constexpr int most_at_first = 64, most_ever = 1024;
 constexpr double alike = 0.05;    // of their mean: samples that need no more beside them
@@ -37,9 +39,10 @@ PointGather::Through PointGather::through(const GatherPoint& point, const Apertu
                 far = (aperture.at(0.5f, 0.5f) - point.origin).norm();
     const std::array<std::uint32_t, 2> seeds{static_cast<std::uint32_t>(key),
                                              static_cast<std::uint32_t>(key >> 32)};
+    const bool are_many = apertures_.size() > many;  // then what each misses evens out
     int count = std::clamp(
-        static_cast<int>(samples_of_size * std::max(first, second) / std::max(far, 1e-6f)), fewest,
-        most_at_first);
+        static_cast<int>(samples_of_size * std::max(first, second) / std::max(far, 1e-6f)),
+        are_many ? fewest_of_many : fewest, most_at_first);
     const int most = std::clamp(effort.most, most_at_first, most_ever);
     Through sum;
     RayBatch batch;
@@ -86,7 +89,7 @@ PointGather::Through PointGather::through(const GatherPoint& point, const Apertu
             sum.variance += std::pow(value[static_cast<std::size_t>(n)] - mean, 2);
         sum.variance *= stratified * count / (count - 1.0);
         const bool agree = sum.variance <= std::pow(alike * mean * count, 2);
-        if (last || agree || count == most) return sum;
+        if (last || agree || are_many || count == most) return sum;
     }
 }
 

@@ -10,7 +10,7 @@ namespace patchlight {
 namespace {
 
 constexpr std::size_t pilot = 1024;  // particles that tell how many rays each takes
-constexpr std::size_t fewest = 4096, most = 1 << 24;
+constexpr std::size_t fewest = 4096, most = 1 << 24, most_in_a_hurry = 1 << 15;
 /// Noise of σ in each region makes Σ max(0, |miss| - 2σ)² about (0.107 σ)² of nothing: with
 /// 0.3 of the target for that, regions of (0.107 / (0.3 target))² landings and more.
 constexpr double by_chance = 0.107, allowed = 0.3;
@@ -60,9 +60,10 @@ ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, cons
     const double sure_enough = per_doubt * powers(first) / (allowed * effort.target);
     const double count = std::max(
         std::min(static_cast<double>(effort.rays) / each, most_regions * wanted / landings),
-        std::min(sure_enough, most_for_doubt));
+        std::min(sure_enough, effort.is_hurried ? 0.0 : most_for_doubt));
     const ParticleFlux flux =
-        particles.send(std::clamp(static_cast<std::size_t>(count), fewest, most), mix(seed, 1));
+        particles.send(std::clamp(static_cast<std::size_t>(count), fewest,
+                   effort.is_hurried ? most_in_a_hurry : most), mix(seed, 1));
     constexpr double deciding = 0.25;  // of the landings
     evidence.regions = make_flux_regions(scene, mesh, rays, shown, flux,
                                          static_cast<int>(std::ceil(deciding * wanted)));
