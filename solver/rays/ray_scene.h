@@ -65,10 +65,14 @@ class RayScene {
     float lift(SurfaceIndex s) const { return lift_[s]; }
     /// A step of float where surface s is [ray space].
     double step(SurfaceIndex s) const { return tolerance_.step(s) * scale_; }
-    /// Surfaces closer than this to a point of a frame are in contact with it [ray space].
+    /// Surfaces closer than this to a point among those that a frame is made for are in contact
+    /// with it [ray space].
     float contact(FrameIndex f = 0) const {
         return static_cast<float>(tolerance_.at_point(f) * scale_);
     }
+
+    /// Surfaces closer than this to p, told in a frame, are in contact with it [ray space].
+    float contact_at(const Vec3& p, FrameIndex f) const;
 
     /// Lane k becomes a segment from a point of one frame to a point of another; `way` is what
     /// leads there from the first.
