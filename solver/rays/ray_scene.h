@@ -113,8 +113,7 @@ class RayScene {
     std::uint32_t blocked_between_frames(const RayBatch& segments, int count) const;
     void resolve_contact(LandingBatch& landings, int k, const RayPoint& direction) const;
     void resolve_edge(LandingBatch& landings, int k, const RayPoint& origin,
-                      FrameIndex frame_of_origin,
-                      std::uint32_t triangle) const;
+                      FrameIndex frame_of_origin, std::uint32_t triangle) const;
     void set_landing(LandingBatch& landings, int k, SurfaceIndex s, const RayPoint& at,
                      const RayPoint& direction) const;
     Triangle make_triangle(SurfaceIndex s, const Corners& corners) const;

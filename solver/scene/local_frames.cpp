@@ -83,8 +83,7 @@ std::vector<Cell> smaller_cells(std::vector<SurfaceIndex> small, double radius,
 
 /// Surfaces that reach into the neighbourhood of a smaller frame belong there, unless too large.
 void invite_guests(const Scene& scene, const std::vector<Box3>& boxes,
-                   const std::vector<bool>& settled,
-                   LocalFrames& found) {
+                   const std::vector<bool>& settled, LocalFrames& found) {
     std::vector<FrameIndex> by_radius(found.frames.size());
     for (std::size_t f = 0; f < by_radius.size(); ++f) by_radius[f] = static_cast<FrameIndex>(f);
     std::stable_sort(by_radius.begin(), by_radius.end(), [&](FrameIndex a, FrameIndex b) {
@@ -97,17 +96,16 @@ void invite_guests(const Scene& scene, const std::vector<Box3>& boxes,
                 return std::max(boxes[s].exteriorDistance(found.frames[f].origin()),
                                 found.frames[f].radius());
             };
-            found.of_surface[s] = *std::min_element(
-                by_radius.begin(), by_radius.end(),
-                [&](FrameIndex a, FrameIndex b) { return away(a) < away(b); });
+            found.of_surface[s] =
+                *std::min_element(by_radius.begin(), by_radius.end(),
+                                  [&](FrameIndex a, FrameIndex b) { return away(a) < away(b); });
             continue;
         }
         for (const FrameIndex f : by_radius) {
             const LocalFrame& frame = found.frames[f];
             const double margin = neighbourhood * frame.radius();
             const Box3 near(frame.box.min().array() - margin, frame.box.max().array() + margin);
-            if (boxes[s].diagonal().norm() > margin || !near.intersects(boxes[s]))
-                continue;
+            if (boxes[s].diagonal().norm() > margin || !near.intersects(boxes[s])) continue;
             found.of_surface[s] = f;
             break;
         }
@@ -153,8 +151,8 @@ LocalFrames find_local_frames(const Scene& scene, const std::vector<Box3>& boxes
         const bool whole = large.size() == waiting[next].surfaces.size();
         for (const SurfaceIndex s : large) {
             found.of_surface[s] = static_cast<FrameIndex>(found.frames.size());
-            settled[s] = whole && found.frames.size() + coming > 0 &&
-                         !scene.surfaces[s].cut_from_larger;
+            settled[s] =
+                whole && found.frames.size() + coming > 0 && !scene.surfaces[s].cut_from_larger;
         }
         found.frames.push_back({waiting[next].box});
     }

@@ -92,7 +92,8 @@ TEST_F(FarGeometry, UtmCoordinatesAndAStrayVertexAtTheOriginChangeNothing) {
     const Motion motion{1.0, Vec3(5e5, 5e6, 100)};
     const Scene away = with_sensors_moved(moved(room, motion), room, motion);
     expect_same(away);
-    expect_same(with(away, scene_of(Polygon{Vec3::Zero(), motion.shift + 9 * x, motion.shift + 9 * y})));
+    expect_same(
+        with(away, scene_of(Polygon{Vec3::Zero(), motion.shift + 9 * x, motion.shift + 9 * y})));
 }
 
 TEST_F(FarGeometry, ARoomLikeItFarAwayChangesNothing) {

@@ -76,7 +76,8 @@ TEST(FarReaching, WhatIsFarDoesNotChangeThePatchSize) {
     settle_far_geometry(scene);
     EXPECT_DOUBLE_EQ(patch_size_for(scene, 300), patch_size_for(room, 300));
     const double size = patch_size_for(room, 300);
-    const std::size_t alone = cut(room, size).mesh.size(), with_ground = cut(scene, size).mesh.size();
+    const std::size_t alone = cut(room, size).mesh.size(),
+                      with_ground = cut(scene, size).mesh.size();
     EXPECT_GT(with_ground, alone);
     EXPECT_LT(with_ground, 2 * alone);
 }
