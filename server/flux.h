@@ -20,8 +20,8 @@ class FluxSpreader {
     /// Of the surfaces from number `first` on, which are those of the object `path`, the ones that
     /// emit will get the power `flux` in all [W or lm]: spread evenly over their area, both sides
     /// where they are two-sided. A number is the luminance of that power, in the colour each
-    /// material has; a triple is the power of each channel. A flux above another one overrides it. Throws
-    /// InputError if none of them emits.
+    /// material has; a triple is the power of each channel. A flux above another one overrides it.
+    /// Throws InputError if none of them emits.
     void ask(const JsonValue& flux, const std::string& path, SurfaceIndex first);
 
     /// Does so, once all objects are read: what other polygons cover takes no share. Each material
@@ -32,8 +32,8 @@ class FluxSpreader {
   private:
     struct Wish {
         std::string pointer, path;
-        Rgb power;           // [W or lm]
-        bool coloured;       // power of each channel; else its luminance
+        Rgb power;                // [W or lm]
+        bool coloured;            // power of each channel; else its luminance
         SurfaceIndex first, end;  // surfaces of the object
     };
     bool emits(const Surface& surface) const;

@@ -69,7 +69,8 @@ Json object_results(const Scene& scene, const Solution& solution) {
                         {"emitted", channels(object.emitted)},
                         {"min", channels(object.min)},
                         {"max", channels(object.max)}});
-        if (std::abs(object.area - given[k]) > same * given[k]) list.back()["area_given"] = given[k];
+        if (std::abs(object.area - given[k]) > same * given[k])
+            list.back()["area_given"] = given[k];
     }
     return list;
 }

@@ -9,6 +9,7 @@
 #include "solver/transport/patch_fields.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -141,6 +142,7 @@ bool AccuracySolve::gather(double coarseness) {
 
 void AccuracySolve::measure() {
     measured_ = error_measure().at(aim_, seed(0x636865636b), [this] { return go_on(); });
+    if (getenv("PLDBG")) fprintf(stderr,"round: est %.4f mesh %.4f ff %.4f direct %zu indirect %zu rays %d first %d most %d corr %.4f\n", measured_->error.estimate.value_or(-1), measured_->error.mesh.value_or(-1), measured_->error.form_factors.value_or(-1), light_.pass().direct().gathered(), light_.pass().indirect().gathered(), aim_.rays, aim_.effort.first, aim_.effort.most, light_.correction());
     if (measured_->error.met()) check_from_lamps();
     solution_.error = measured_->error;
 }

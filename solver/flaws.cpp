@@ -114,8 +114,7 @@ std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverl
 std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
                                 const RayScene& rays, const SolveSettings& planned,
                                 const std::function<bool()>& go_on) {
-    std::vector<Finding> findings =
-        find_geometry_flaws(scene, overlaps, rays, planned.seed, go_on);
+    std::vector<Finding> findings = find_geometry_flaws(scene, overlaps, rays, planned.seed, go_on);
     append(findings, emitter_findings(scene));
     if (go_on && !go_on()) return findings;
     const FlawSearch search{scene, overlaps, rays, planned.seed};

@@ -50,7 +50,8 @@ std::vector<Rgb> spread(const RefinementTree& tree, const std::vector<Rgb>& of_p
 PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<LightSource> sources,
                         int most_samples, std::uint64_t seed) {
     double area = 0.0;
-    for (const Surface& surface : scene.surfaces) area += surface.area;
+    for (const Surface& surface : scene.surfaces)
+        if ((scene.materials[surface.material].reflectance > 0.0).any()) area += surface.area;
     std::vector<Aperture> apertures = find_apertures(scene, rays, sources, area, seed);
     return PointGather(rays, std::move(sources), most_samples, std::move(apertures));
 }

@@ -145,9 +145,9 @@ void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3
     const Vec3& centroid = mesh_.patches[i].centre;
     for (std::size_t c = first_cell(i); c < end_cell(i); ++c) {
         const RayPoint middle = spot(i, c, 0.5f, 0.5f).position;
-        const Vec3 away = rays_.from_ray_space(middle.cast<double>(),
-                                              rays_.frame(mesh_.patches[i].surface)) -
-                          centroid;
+        const Vec3 away =
+            rays_.from_ray_space(middle.cast<double>(), rays_.frame(mesh_.patches[i].surface)) -
+            centroid;
         const Rgb more = value + (slope * away).array();
         for (std::size_t k = 0; k < 3; ++k)
             cells_[c][k] = std::max(

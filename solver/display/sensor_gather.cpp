@@ -146,7 +146,7 @@ std::vector<SensorReport> gather_at_sensors(const Scene& scene, const PatchMesh&
         const FrameIndex frame = ray_scene.frame_at(sensor.position);
         SensorView view{sensor, ray_scene, points, {}, sensor.normal.cast<float>(), frame};
         view.origin = ray_scene.to_ray_space(sensor.position, frame) +
-                      off_contact * ray_scene.contact(frame) * view.normal;
+                      off_contact * ray_scene.contact_at(sensor.position, frame) * view.normal;
         reports[s] = gather(scene, mesh, patches, view, radiosity, mix(seed, 0x73656e73 + s));
     };
     for (std::size_t first = 0; first < reports.size(); first += sensors_at_a_time) {

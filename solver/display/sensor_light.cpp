@@ -17,7 +17,8 @@ SensorReport light_at(const Sensor& sensor, std::size_t number, const RayScene& 
                       const SensorEffort& effort) {
     const FrameIndex frame = rays.frame_at(sensor.position);
     const GatherPoint point =
-        gather.at(sensor.position, sensor.normal, clear_of_contact * rays.contact(frame), frame);
+        gather.at(sensor.position, sensor.normal,
+                  clear_of_contact * rays.contact_at(sensor.position, frame), frame);
     std::array<Rgb, 2> sum{}, indirect{};
     for (std::size_t half = 0; half < 2; ++half) {
         const std::uint64_t key = mix(effort.seed, 2 * number + half);

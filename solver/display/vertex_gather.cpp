@@ -44,9 +44,8 @@ VertexGather::VertexGather(const Scene& scene, const PatchMesh& mesh, const RayS
 GatherPoint VertexGather::point(PatchIndex i, const Vec3& position) const {
     const Patch& patch = mesh_.patches[i];
     const Vec3 moved = position + inward * (patch.centre - position);
-    GatherPoint point =
-        gather_.at(moved, scene_.surfaces[patch.surface].normal, rays_.lift(patch.surface),
-                   rays_.frame(patch.surface));
+    GatherPoint point = gather_.at(moved, scene_.surfaces[patch.surface].normal,
+                                   rays_.lift(patch.surface), rays_.frame(patch.surface));
     if (!clear_.empty()) point.clear = &clear_[i];
     return point;
 }

@@ -107,8 +107,9 @@ std::vector<Finding> crack_findings(const FlawSearch& search, const SurfaceEdges
         Finding finding{"t-vertex", {vertex}, "", "", count};
         if (edge != vertex) finding.objects.push_back(edge);
         finding.detail = "a vertex of " + quoted(vertex) + " at " +
-                         place_text(crack.place, search.size(edges.edges[crack.edge].surfaces[0])) + " is " + length_text(crack.width) +
-                         " off the edge of " + (edge == vertex ? "its neighbour" : quoted(edge)) +
+                         place_text(crack.place, search.size(edges.edges[crack.edge].surfaces[0])) +
+                         " is " + length_text(crack.width) + " off the edge of " +
+                         (edge == vertex ? "its neighbour" : quoted(edge)) +
                          " that it stands beside: light passes the crack, and shading breaks there";
         finding.remedy = "give the edge a corner at that vertex, or move the vertex onto the edge";
         findings.push_back(std::move(finding));

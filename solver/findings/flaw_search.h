@@ -18,9 +18,7 @@ struct FlawSearch {
     LocalTolerance tolerance{scene};
     /// Of what surrounds surface s: its frame [m].
     double size(SurfaceIndex s) const { return tolerance.frame(s).size(); }
-    double size_at(const Vec3& p) const {
-        return tolerance.frames()[tolerance.frame_at(p)].size();
-    }
+    double size_at(const Vec3& p) const { return tolerance.frames()[tolerance.frame_at(p)].size(); }
     /// What an edge of surface s may be off and still touch [m].
     double contact(SurfaceIndex s) const { return tolerance.at_point(tolerance.frame_of(s)); }
     const std::string& object_of(SurfaceIndex s) const {

@@ -129,14 +129,14 @@ std::vector<Finding> floating_findings(const FlawSearch& search,
             ++findings[known->second].count;
             continue;
         }
-        findings.push_back({"floating-object",
-                            {body},
-                            "a part of " + quoted(body) + " that touches nothing is " +
-                                length_text(one.distance) + " off " +
-                                (body == support ? "the rest of it" : quoted(support)) + " at " +
-                                place_text(one.place, search.size(one.body)) + ": light gets underneath",
-                            "move it until it touches, or farther away",
-                            1});
+        findings.push_back(
+            {"floating-object",
+             {body},
+             "a part of " + quoted(body) + " that touches nothing is " + length_text(one.distance) +
+                 " off " + (body == support ? "the rest of it" : quoted(support)) + " at " +
+                 place_text(one.place, search.size(one.body)) + ": light gets underneath",
+             "move it until it touches, or farther away",
+             1});
         if (body != support) findings.back().objects.push_back(support);
     }
     return findings;

@@ -51,8 +51,9 @@ Escapes follow_light(const FlawSearch& search) {
         for (const Walker& walker : walkers) {
             escapes.flights += walker.flying;
             if (walker.flying && walker.landing == Landing::escaped)
-                escapes.all.push_back({search.rays.from_ray_space(walker.origin.cast<double>(), walker.frame),
-                                       walker.direction.cast<double>()});
+                escapes.all.push_back(
+                    {search.rays.from_ray_space(walker.origin.cast<double>(), walker.frame),
+                     walker.direction.cast<double>()});
         }
     }
     return escapes;

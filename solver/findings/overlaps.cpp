@@ -26,7 +26,7 @@ struct OverlapSearch {
 
     bool is_given_twice(SurfaceIndex above, SurfaceIndex below) const {
         const std::vector<Vec3>&corners = scene.surfaces[above].corners,
-                          &others = scene.surfaces[below].corners;
+              &others = scene.surfaces[below].corners;
         const double reach = tolerance.between(above, below);
         const auto among = [reach](const Vec3& p, const std::vector<Vec3>& places) {
             return std::any_of(places.begin(), places.end(),
@@ -54,8 +54,8 @@ struct OverlapSearch {
         const bool same = top == bottom, twice = is_given_twice(cover, covered),
                    emits = gives_light(covered), whole = is_whole(covered);
         const Surface& smaller = above.area < below.area ? above : below;
-        const std::string place = place_text(centroid(smaller.corners, smaller.normal),
-                                             tolerance.frame(covered).size());
+        const std::string place =
+            place_text(centroid(smaller.corners, smaller.normal), tolerance.frame(covered).size());
         Finding found{"coplanar-overlap", {top}, "", "", 1};
         if (!same) found.objects.push_back(bottom);
         if (twice) {

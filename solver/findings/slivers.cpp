@@ -52,8 +52,8 @@ std::vector<Finding> find_slivers(const FlawSearch& search) {
             {"sliver",
              {name},
              "a polygon of " + quoted(name) + " near " +
-                 place_text(centroid(surface.corners, surface.normal), search.size(most.surface)) + " is " +
-                 number_text(most.aspect) +
+                 place_text(centroid(surface.corners, surface.normal), search.size(most.surface)) +
+                 " is " + number_text(most.aspect) +
                  " times as long as it is wide: it costs many patches for little area",
              "merge it with its neighbours, or leave it out",
              most.count});

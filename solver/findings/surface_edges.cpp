@@ -21,7 +21,8 @@ SurfaceEdges find_surface_edges(const Scene& scene) {
         const Surface& surface = scene.surfaces[s];
         if (surface.side == Side::back) continue;
         numbers.clear();
-        for (const Vec3& p : surface.corners) numbers.push_back(welder.add(p, tolerance.frame_of(s)));
+        for (const Vec3& p : surface.corners)
+            numbers.push_back(welder.add(p, tolerance.frame_of(s)));
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const std::uint32_t a = numbers[k], b = numbers[(k + 1) % numbers.size()];
             if (a != b) sides.push_back({{std::min(a, b), std::max(a, b)}, {s, s}, 1});

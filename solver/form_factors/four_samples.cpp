@@ -55,8 +55,7 @@ PATCHLIGHT_WIDE void fill(const PairEnds& ends, const std::array<const std::uint
     const Points x = points_on(ends.from, ends.above_from, u[0], u[1]);
     const Points y = points_on(ends.to, ends.above_to, u[2], u[3]);
     const RayPoint& shift = ends.shift;
-    const Floats dx = y.x + shift.x() - x.x, dy = y.y + shift.y() - x.y,
-                 dz = y.z + shift.z() - x.z;
+    const Floats dx = y.x + shift.x() - x.x, dy = y.y + shift.y() - x.y, dz = y.z + shift.z() - x.z;
     const Floats squared = dx * dx + dy * dy + dz * dz;
     const RayPoint &n = ends.from.normal, &m = ends.to.normal;
     const Floats leaving = positive(dx * n.x() + dy * n.y() + dz * n.z());

@@ -22,8 +22,8 @@ HemicubePose pose_at_centre(const Scene& scene, const PatchMesh& mesh, const Ray
     HemicubePose pose;
     pose.normal = sampler.normal.cast<double>().normalized();
     pose.frame = sampler.frame;
-    pose.eye =
-        sampler.centre.cast<double>() + rays.shift(sampler.frame, 0) + static_cast<double>(rays.lift(patch.surface)) * pose.normal;
+    pose.eye = sampler.centre.cast<double>() + rays.shift(sampler.frame, 0) +
+               static_cast<double>(rays.lift(patch.surface)) * pose.normal;
     const Vec3 edge = mesh.vertices[patch.vertices[1]] - mesh.vertices[patch.vertices[0]];
     pose.bitangent = pose.normal.cross(edge).normalized();
     pose.tangent = pose.bitangent.cross(pose.normal);

@@ -19,7 +19,7 @@ struct Reach {
 };
 constexpr Reach quad_reach{30.0, 9.0, 4.5};
 constexpr Reach triangle_reach{60.0, 12.0, 5.0};
-constexpr double in_plane = 1e-10;  // of a frame's size: rounding of coordinates [1]
+constexpr double in_plane = 1e-10;                // of a frame's size: rounding of coordinates [1]
 constexpr std::size_t most_tabled_groups = 2048;  // places of planes are tabled up to here
 
 }  // namespace

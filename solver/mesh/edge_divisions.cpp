@@ -14,7 +14,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr double largest_aspect = 8.0;  // length over width that slivers are cut down to [1]
+constexpr double largest_aspect = 8.0;      // length over width that slivers are cut down to [1]
 constexpr int most_parts_for_aspect = 256;  // a needle is not cut finer than this for its shape
 constexpr double rounding = 1e-9;           // 10 parts of 0.1 fit an edge of 1
 
@@ -77,8 +77,8 @@ void EdgeDivisions::find_edges(const Scene& scene, const std::vector<bool>& hidd
     std::unordered_map<std::uint64_t, std::uint32_t> known;
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         const std::size_t n = scene.surfaces[s].corners.size();
-        const double coarseness = hidden[s] ? std::numeric_limits<double>::infinity()
-                                            : scene.surfaces[s].coarseness;
+        const double coarseness =
+            hidden[s] ? std::numeric_limits<double>::infinity() : scene.surfaces[s].coarseness;
         for (std::size_t k = 0; k < n; ++k) {
             const VertexIndex a = corner(s, k), b = corner(s, (k + 1) % n);
             const auto [lo, hi] = std::minmax(a, b);
@@ -168,8 +168,8 @@ void EdgeDivisions::place_points(double patch_size) {
         stops.push_back(1.0);
         double from = 0.0;
         for (const double to : stops) {
-            const int parts =
-                stops.size() == 1 ? parts_[e]
+            const int parts = stops.size() == 1
+                                  ? parts_[e]
                                   : parts_for((to - from) * length, coarseness_[e] * patch_size);
             for (int k = 1; k < parts; ++k) places_[e].push_back(from + (to - from) * k / parts);
             if (to < 1.0) places_[e].push_back(to);

@@ -117,8 +117,7 @@ struct Mesher {
             add_patch(s, {number[face[0]], number[face[1]], number[face[2]], number[face[3]]});
         for (PatchIndex i = mesh.first_of_surface.back(); i < mesh.size(); ++i)
             for (const std::vector<Vec2>& cover : covers)
-                if (contains(cover, frame.flat(mesh.patches[i].centre)))
-                    leave_out(mesh.patches[i]);
+                if (contains(cover, frame.flat(mesh.patches[i].centre))) leave_out(mesh.patches[i]);
     }
 
     std::vector<std::vector<Vec2>> covers_of(SurfaceIndex s, const PlaneFrame& frame) const {
@@ -179,16 +178,16 @@ double patch_size_for(const Scene& scene, double patches) {
 std::size_t estimate_patch_count(const Scene& scene, double patch_size) {
     double count = 0.0;
     for (const Surface& surface : scene.surfaces)
-        count += fits_a_grid(surface)
-                     ? estimate_grid(surface, surface.coarseness * patch_size)
-                     : estimate_polygon(surface, surface.coarseness * patch_size);
+        count += fits_a_grid(surface) ? estimate_grid(surface, surface.coarseness * patch_size)
+                                      : estimate_polygon(surface, surface.coarseness * patch_size);
     return count < 9e18 ? static_cast<std::size_t>(count) : std::size_t{9'000'000'000'000'000'000u};
 }
 
 MeshLines find_mesh_lines(const Scene& scene, const std::function<bool()>& go_on) {
     const LocalTolerance tolerance(scene);
     MeshLines lines{find_coplanar_overlaps(scene, go_on), {}, {}};
-    const std::vector<std::vector<Segment>> contacts = find_contact_lines(scene, lines.overlaps, go_on);
+    const std::vector<std::vector<Segment>> contacts =
+        find_contact_lines(scene, lines.overlaps, go_on);
     const std::vector<double> seen = seen_areas(scene, lines.overlaps, go_on);
     lines.creases.resize(scene.surfaces.size());
     lines.hidden.resize(scene.surfaces.size());

@@ -7,9 +7,9 @@
 
 namespace patchlight {
 
-/// Uniform points over a patch in ray space, in the frame of its surface: its parallelogram, or its two triangles in proportion
-/// to their areas. Points keep clear of the edges by a few steps of float, so that no ray starts on
-/// a neighbour.
+/// Uniform points over a patch in ray space, in the frame of its surface: its parallelogram, or its
+/// two triangles in proportion to their areas. Points keep clear of the edges by a few steps of
+/// float, so that no ray starts on a neighbour.
 struct PatchSampler {
     RayPoint corner, first_edge, second_edge;  // of the parallelogram, or of triangle 0-1-2
     RayPoint third_edge;                       // triangle 0-2-3: from corner 0 to 3

@@ -23,8 +23,9 @@ constexpr double lift_off_partner = 1.2;  // of the contact distance [1]
 /// Steps of float: more than rounding moves the ends of rays and segments by, and fewer than the
 /// four that surfaces at least are apart which are not in contact [1].
 constexpr double lift_alone = 3.5;
+constexpr double float_step = 0x1p-23;
 constexpr float inside_edge = 4.0f;  // contact distances: where a hit on an edge is looked at again
-constexpr float largest_share = 0.05f;  // of a triangle's height, that counts as its edge
+constexpr float largest_share = 0.05f;      // of a triangle's height, that counts as its edge
 constexpr float beyond_everything = 16.0f;  // ray space is 2 across where there is one frame
 
 /// One over the radius of the smallest frame [1/m].
@@ -139,6 +140,11 @@ RayScene::RayScene(const Scene& scene, const CoplanarOverlaps& overlaps,
 }
 
 RayScene::~RayScene() = default;
+
+float RayScene::contact_at(const Vec3& p, FrameIndex f) const {
+    const double steps = 4.0 * float_step * (p - origins_[f]).cwiseAbs().maxCoeff() * scale_;
+    return std::max(contact(f), static_cast<float>(steps));
+}
 
 void RayScene::find_lifts(const Scene& scene, const CoplanarOverlaps& overlaps) {
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
@@ -326,8 +332,7 @@ void RayScene::resolve_edge(LandingBatch& landings, int k, const RayPoint& origi
     const SurfaceIndex s = triangles_[triangle].surface;
     const RayPoint at(landings.x[k], landings.y[k], landings.z[k]);
     const RayPoint from =
-        frames() == 1 ? origin
-                      : RayPoint(origin + shift(frame_of_origin, frame(s)).cast<float>());
+        frames() == 1 ? origin : RayPoint(origin + shift(frame_of_origin, frame(s)).cast<float>());
     const RayPoint inward = triangles_[triangle].centre - at;
     const float step = std::min(1.0f, inside_edge * contact(frame(s)) / inward.norm());
     const float side = normals_[s].dot(from - at) > 0.0f ? 1.0f : -1.0f;

@@ -65,10 +65,14 @@ class RayScene {
     float lift(SurfaceIndex s) const { return lift_[s]; }
     /// A step of float where surface s is [ray space].
     double step(SurfaceIndex s) const { return tolerance_.step(s) * scale_; }
-    /// Surfaces closer than this to a point of a frame are in contact with it [ray space].
+    /// Surfaces closer than this to a point among those that a frame is made for are in contact
+    /// with it [ray space].
     float contact(FrameIndex f = 0) const {
         return static_cast<float>(tolerance_.at_point(f) * scale_);
     }
+
+    /// Surfaces closer than this to p, told in a frame, are in contact with it [ray space].
+    float contact_at(const Vec3& p, FrameIndex f) const;
 
     /// Lane k becomes a segment from a point of one frame to a point of another; `way` is what
     /// leads there from the first.
@@ -109,8 +113,7 @@ class RayScene {
     std::uint32_t blocked_between_frames(const RayBatch& segments, int count) const;
     void resolve_contact(LandingBatch& landings, int k, const RayPoint& direction) const;
     void resolve_edge(LandingBatch& landings, int k, const RayPoint& origin,
-                      FrameIndex frame_of_origin,
-                      std::uint32_t triangle) const;
+                      FrameIndex frame_of_origin, std::uint32_t triangle) const;
     void set_landing(LandingBatch& landings, int k, SurfaceIndex s, const RayPoint& at,
                      const RayPoint& direction) const;
     Triangle make_triangle(SurfaceIndex s, const Corners& corners) const;

@@ -13,12 +13,12 @@ namespace patchlight {
 namespace {
 
 constexpr double far_reaching = 16.0;  // of a frame's radius, the size of a polygon to be cut [1]
-constexpr double nearby = 2.0;   // of a frame's radius: half the side of the innermost square [1]
-constexpr double growth = 4.0;   // of each square over the one within [1]
+constexpr double nearby = 2.0;  // of a frame's radius: half the side of the innermost square [1]
+constexpr double growth = 4.0;  // of each square over the one within [1]
 // Patches' edges over those of what is near: a ring then has as many as a quarter of a floor [1].
 constexpr double coarser_near = 3.0, coarser_far = 4.0;
 constexpr double fewest = 1.0 / 16.0;  // of the patches of the main frame, that another has [1]
-constexpr double no_area = 1e-9;  // of the square of a piece's size: nothing is left of it [1]
+constexpr double no_area = 1e-9;       // of the square of a piece's size: nothing is left of it [1]
 
 using Outline = std::vector<Vec2>;
 
@@ -98,8 +98,7 @@ PlaneFrame plane_about(const Vec3& origin, const Vec3& normal) {
 
 std::vector<Surface> cut(const Surface& surface, const LocalFrame& frame) {
     const double height = (frame.origin() - surface.corners[0]).dot(surface.normal);
-    const PlaneFrame plane =
-        plane_about(frame.origin() - height * surface.normal, surface.normal);
+    const PlaneFrame plane = plane_about(frame.origin() - height * surface.normal, surface.normal);
     const bool flipped = plane.normal.dot(surface.normal) < 0.0;
     Outline outline;
     for (const Vec3& p : surface.corners) outline.push_back(plane.flat(p));
@@ -162,19 +161,17 @@ void make_far_ones_coarser(Scene& scene, const LocalFrames& found) {
         share.area += surface.area;
         share.count += 1.0;
     }
-    const auto main = std::max_element(shares.begin(), shares.end(),
-                                       [](const Share& a, const Share& b) {
-                                           return std::pair(a.power, a.count) <
-                                                  std::pair(b.power, b.count);
-                                       });
+    const auto main =
+        std::max_element(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+            return std::pair(a.power, a.count) < std::pair(b.power, b.count);
+        });
     const std::vector<Box3> boxes = surface_boxes(scene);
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         const Share& own = shares[found.of_surface[s]];
         if (scene.surfaces[s].cut_from_larger || &own == &*main) continue;
         const double patches = std::clamp(own.count / main->count, fewest, 1.0);
-        scene.surfaces[s].coarseness =
-            std::max(std::sqrt(own.area / main->area / patches),
-                     boxes[s].diagonal().norm() / std::sqrt(main->area));
+        scene.surfaces[s].coarseness = std::max(std::sqrt(own.area / main->area / patches),
+                                                boxes[s].diagonal().norm() / std::sqrt(main->area));
     }
 }
 

@@ -66,11 +66,15 @@ std::vector<Cell> smaller_cells(std::vector<SurfaceIndex> small, double radius,
         cells.push_back(std::move(all));
         return cells;
     }
+    const Vec3 sizes = all.box.sizes();
+    const auto is_long = [&](int axis) { return sizes[axis] > shrinks * sizes.maxCoeff(); };
     std::array<std::vector<SurfaceIndex>, 8> parts;
     for (const SurfaceIndex s : all.surfaces) {
         const Vec3 away = boxes[s].center() - all.box.center();
-        parts[static_cast<std::size_t>((away.x() > 0) + 2 * (away.y() > 0) + 4 * (away.z() > 0))]
-            .push_back(s);
+        std::size_t part = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            if (is_long(axis) && away[axis] > 0.0) part |= std::size_t{1} << axis;
+        parts[part].push_back(s);
     }
     for (auto& part : parts)
         if (!part.empty()) cells.push_back(cell_of(std::move(part), boxes));
@@ -78,8 +82,8 @@ std::vector<Cell> smaller_cells(std::vector<SurfaceIndex> small, double radius,
 }
 
 /// Surfaces that reach into the neighbourhood of a smaller frame belong there, unless too large.
-void invite_guests(const std::vector<Box3>& boxes, const std::vector<bool>& settled,
-                   LocalFrames& found) {
+void invite_guests(const Scene& scene, const std::vector<Box3>& boxes,
+                   const std::vector<bool>& settled, LocalFrames& found) {
     std::vector<FrameIndex> by_radius(found.frames.size());
     for (std::size_t f = 0; f < by_radius.size(); ++f) by_radius[f] = static_cast<FrameIndex>(f);
     std::stable_sort(by_radius.begin(), by_radius.end(), [&](FrameIndex a, FrameIndex b) {
@@ -87,12 +91,21 @@ void invite_guests(const std::vector<Box3>& boxes, const std::vector<bool>& sett
     });
     for (SurfaceIndex s = 0; s < boxes.size(); ++s) {
         if (settled[s]) continue;
+        if (scene.surfaces[s].cut_from_larger) {  // about one of them
+            const auto away = [&](FrameIndex f) {
+                return std::max(boxes[s].exteriorDistance(found.frames[f].origin()),
+                                found.frames[f].radius());
+            };
+            found.of_surface[s] =
+                *std::min_element(by_radius.begin(), by_radius.end(),
+                                  [&](FrameIndex a, FrameIndex b) { return away(a) < away(b); });
+            continue;
+        }
         for (const FrameIndex f : by_radius) {
             const LocalFrame& frame = found.frames[f];
             const double margin = neighbourhood * frame.radius();
             const Box3 near(frame.box.min().array() - margin, frame.box.max().array() + margin);
-            if (boxes[s].diagonal().norm() > margin || !near.intersects(boxes[s]))
-                continue;
+            if (boxes[s].diagonal().norm() > margin || !near.intersects(boxes[s])) continue;
             found.of_surface[s] = f;
             break;
         }
@@ -138,12 +151,12 @@ LocalFrames find_local_frames(const Scene& scene, const std::vector<Box3>& boxes
         const bool whole = large.size() == waiting[next].surfaces.size();
         for (const SurfaceIndex s : large) {
             found.of_surface[s] = static_cast<FrameIndex>(found.frames.size());
-            settled[s] = whole && found.frames.size() + coming > 0 &&
-                         !scene.surfaces[s].cut_from_larger;
+            settled[s] =
+                whole && found.frames.size() + coming > 0 && !scene.surfaces[s].cut_from_larger;
         }
         found.frames.push_back({waiting[next].box});
     }
-    if (found.frames.size() > 1) invite_guests(boxes, settled, found);
+    if (found.frames.size() > 1) invite_guests(scene, boxes, settled, found);
     return found;
 }
 

@@ -7,7 +7,7 @@
 namespace patchlight {
 
 namespace {
-constexpr double float_step = 0x1p-23;   // of a coordinate, at most [1]
+constexpr double float_step = 0x1p-23;    // of a coordinate, at most [1]
 constexpr double same_corner = 1e-9;      // of a frame's size [1]
 constexpr double double_steps = 0x1p-48;  // sixteen steps of double: what a few sums leave [1]
 }  // namespace
@@ -30,8 +30,9 @@ LocalTolerance::LocalTolerance(const Scene& scene) {
 
 double LocalTolerance::at_point(FrameIndex f) const {
     const LocalFrame& frame = frames_[f];
-    return frame.box.isEmpty() ? 0.0
-                               : std::max(share * frame.size(), steps * float_step * frame.radius());
+    return frame.box.isEmpty()
+               ? 0.0
+               : std::max(share * frame.size(), steps * float_step * frame.radius());
 }
 
 double LocalTolerance::same_point(FrameIndex f) const {

@@ -13,8 +13,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr double cell =
-    1e-3;  // of a normal's components, and of a frame's size, in the index [1]
+constexpr double cell = 1e-3;  // of a normal's components, and of a frame's size, in the index [1]
 constexpr double alike = 0.999;  // cosine between normals of one group, at least [1]
 
 using Key = std::array<std::int64_t, 5>;
@@ -33,7 +32,7 @@ PlaneGroups find_plane_groups(const Scene& scene) {
     PlaneGroups groups;
     const LocalTolerance tolerance(scene);
     std::vector<std::optional<Vec3>> origins(tolerance.frames().size());  // first corner of each
-    std::map<Key, std::vector<std::uint32_t>> index;  // groups by rounded plane
+    std::map<Key, std::vector<std::uint32_t>> index;                      // groups by rounded plane
     groups.of_surface.reserve(scene.surfaces.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         const Surface& surface = scene.surfaces[s];

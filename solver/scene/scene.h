@@ -36,8 +36,8 @@ struct Surface {
     double area = 0.0;           // [m²]
     MaterialIndex material = 0;
     ObjectIndex object = 0;
-    std::uint32_t face = 0;   // number of the polygon, as given, within its object
-    Side side = Side::front;  // `back`: the second half of a two-sided polygon
+    std::uint32_t face = 0;        // number of the polygon, as given, within its object
+    Side side = Side::front;       // `back`: the second half of a two-sided polygon
     bool cut_from_larger = false;  // a piece of a polygon much larger than what is near it
     double coarseness = 1.0;  // times as long as elsewhere its patches' edges may be: far geometry
 };

@@ -77,7 +77,7 @@ std::vector<double> seen_areas(const Scene& scene, const CoplanarOverlaps& overl
         const std::vector<SurfaceIndex>& covers = overlaps.covered_by[s];
         going = going && (covers.empty() || !go_on || go_on());
         areas.push_back(covers.empty() || !going ? scene.surfaces[s].area
-                                       : seen_area(scene, scene.surfaces[s], covers));
+                                                 : seen_area(scene, scene.surfaces[s], covers));
     }
     return areas;
 }

@@ -40,7 +40,7 @@ void expect_furnace(const Scene& scene, const Solution& solution) {
 
 TEST(CoveredArea, HasNoWeightInMeans) {
     Scene scene = furnace();
-    add(scene, rectangle(Vec3(0.5, 0.5, 0), x, y));              // on the floor
+    add(scene, rectangle(Vec3(0.5, 0.5, 0), x, y));  // on the floor
     add(scene, rectangle(Vec3(0.25, 1.5, 0), 1.5 * x, 0.4 * y));
     const Solution solution = solved(scene);
     expect_furnace(scene, solution);

@@ -10,8 +10,9 @@ namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
 
-/// What is far may change which samples are drawn, and no more: three times what other seeds do.
-constexpr double same = 5e-3;
+/// What is far may change which samples are drawn, and no more: three times what other seeds do
+/// at 256 rays.
+constexpr double same = 1e-2;
 constexpr double energy_kept = 1e-3;
 
 /// A room of 4 m with a lamp flush in its ceiling and a table; a sensor on the table and one below.
@@ -45,7 +46,7 @@ Solution solved(Scene scene, double patch_size) {
     settle_far_geometry(scene);
     SolveSettings settings;
     settings.patch_size = patch_size;
-    settings.rays = 1024;
+    settings.rays = 256;
     settings.measure_error = false;
     return solve_scene(scene, settings, {});
 }
@@ -53,7 +54,7 @@ Solution solved(Scene scene, double patch_size) {
 class FarGeometry : public testing::Test {
   protected:
     void expect_same(const Scene& scene, double scale = 1.0) const {
-        const Solution found = solved(scene, 0.6 * scale);
+        const Solution found = solved(scene, 0.8 * scale);
         ASSERT_EQ(found.sensors.size(), alone.sensors.size());
         for (std::size_t s = 0; s < alone.sensors.size(); ++s)
             EXPECT_NEAR(found.sensors[s].irradiance[0] / alone.sensors[s].irradiance[0], 1.0, same)
@@ -67,7 +68,7 @@ class FarGeometry : public testing::Test {
     }
 
     const Scene room = furnished();
-    const Solution alone = solved(room, 0.6);
+    const Solution alone = solved(room, 0.8);
 };
 
 TEST_F(FarGeometry, StrayPolygonsChangeNothing) {
@@ -91,7 +92,8 @@ TEST_F(FarGeometry, UtmCoordinatesAndAStrayVertexAtTheOriginChangeNothing) {
     const Motion motion{1.0, Vec3(5e5, 5e6, 100)};
     const Scene away = with_sensors_moved(moved(room, motion), room, motion);
     expect_same(away);
-    expect_same(with(away, scene_of(Polygon{Vec3::Zero(), motion.shift + 9 * x, motion.shift + 9 * y})));
+    expect_same(
+        with(away, scene_of(Polygon{Vec3::Zero(), motion.shift + 9 * x, motion.shift + 9 * y})));
 }
 
 TEST_F(FarGeometry, ARoomLikeItFarAwayChangesNothing) {

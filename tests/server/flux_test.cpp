@@ -100,22 +100,24 @@ TEST(Flux, NeedsAMaterialThatEmitsAndARightNumber) {
 }
 
 TEST(Flux, WhatIsCoveredTakesNoShareOfIt) {
-    const std::string cover = R"(, {"material": "dark", "polygon": [[1,0,0],[3,0,0],[3,2,0],[1,2,0]]})";
-    const Scene half = read(R"({"material": "lamp", "flux": 100, )" + square + "}" + cover,
-                            R"({"exitance": 1})");
+    const std::string cover =
+        R"(, {"material": "dark", "polygon": [[1,0,0],[3,0,0],[3,2,0],[1,2,0]]})";
+    const Scene half =
+        read(R"({"material": "lamp", "flux": 100, )" + square + "}" + cover, R"({"exitance": 1})");
     EXPECT_NEAR(half.materials[half.surfaces[0].material].exitance[0], 50.0, 50 * rounding);
 }
 
 TEST(Flux, OfAFaceGivenTwiceIsThatOfOne) {
     const std::string twice = R"("mesh": {"vertices": [[0,0,0],[2,0,0],[2,2,0],[0,2,0]],
                                           "faces": [[0,1,2,3],[2,3,0,1]]})";
-    const Scene scene = read(R"({"material": "lamp", "flux": 100, )" + twice + "}",
-                             R"({"exitance": 1})");
+    const Scene scene =
+        read(R"({"material": "lamp", "flux": 100, )" + twice + "}", R"({"exitance": 1})");
     EXPECT_NEAR(scene.materials[scene.surfaces[0].material].exitance[0], 25.0, 25 * rounding);
 }
 
 TEST(Flux, OnWhatIsWhollyCoveredIsAnError) {
-    const std::string cover = R"(, {"material": "dark", "polygon": [[-1,0,0],[3,0,0],[3,2,0],[-1,2,0]]})";
+    const std::string cover =
+        R"(, {"material": "dark", "polygon": [[-1,0,0],[3,0,0],[3,2,0],[-1,2,0]]})";
     expect_rejected(scene(R"({"material": "lamp", "flux": 100, )" + square + "}" + cover),
                     "/objects/0/flux", "is covered by polygons in its plane");
 }

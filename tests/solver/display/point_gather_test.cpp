@@ -34,7 +34,7 @@ struct Reader {
         field.emplace(pieces.scene, pieces.mesh, rays, locator, std::move(table));
     }
     GatherPoint at(const Vec3& position, const Vec3& normal) const {
-        return gather.at(position, normal, rays.contact());
+        return gather.at(position, normal, rays.contact(), 0);
     }
 };
 

@@ -25,7 +25,8 @@ void expect_as_made_singly(const Polygon& p, const Polygon& q) {
     const PatchSampler from = make_sampler(both.mesh, 0, both.scene.surfaces[0].normal, rays),
                        to = make_sampler(both.mesh, 1, both.scene.surfaces[1].normal, rays);
     const PairEnds ends{
-        from, to, rays.lift(0) * from.normal, rays.lift(1) * to.normal, {1, 2, 3, 4}};
+        from,        to, rays.lift(0) * from.normal, rays.lift(1) * to.normal, RayPoint::Zero(),
+        {1, 2, 3, 4}};
     const SobolPoints points(64);
     RayBatch batch;
     std::array<float, ray_batch> weights;

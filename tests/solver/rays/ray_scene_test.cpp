@@ -212,8 +212,8 @@ TEST(Frames, RaysInTwoRoomsFarApartLandAsInOne) {
 
 TEST(Frames, SegmentsEndWhereSurfacesAreKnown) {
     Scene scene = empty_scene();
-    add(scene, rectangle(Vec3::Zero(), x, y));               // looks up
-    add(scene, rectangle(Vec3(0, 0, 1e6), y, x));            // looks down on it
+    add(scene, rectangle(Vec3::Zero(), x, y));     // looks up
+    add(scene, rectangle(Vec3(0, 0, 1e6), y, x));  // looks down on it
     const Caster rays(scene);
     ASSERT_EQ(rays.rays.frames(), 2u);
     const double off = 1e-5;

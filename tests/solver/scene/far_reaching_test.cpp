@@ -25,7 +25,7 @@ double area_from(const Scene& scene, SurfaceIndex first, Side side) {
 
 const auto walls = static_cast<SurfaceIndex>(room_with_box().surfaces.size());
 
-TEST(FarGeometry, LeavesScenesOfOneFrameAsTheyAre) {
+TEST(FarReaching, LeavesScenesOfOneFrameAsTheyAre) {
     for (Scene scene : {room_with_box(), on_ground(100.0)}) {
         const std::size_t before = scene.surfaces.size();
         settle_far_geometry(scene);
@@ -34,7 +34,7 @@ TEST(FarGeometry, LeavesScenesOfOneFrameAsTheyAre) {
     }
 }
 
-TEST(FarGeometry, AGroundUnderARoomIsCutAndKeepsItsArea) {
+TEST(FarReaching, AGroundUnderARoomIsCutAndKeepsItsArea) {
     for (const double size : {2e4, 2e5, 1e7})
         for (const Motion& motion : {Motion{}, Motion{1.0, Vec3(5e5, 5e6, 0)},
                                      Motion{1.0, Vec3(10, 20, 30), odd_turn()}}) {
@@ -47,7 +47,7 @@ TEST(FarGeometry, AGroundUnderARoomIsCutAndKeepsItsArea) {
         }
 }
 
-TEST(FarGeometry, PiecesLieInThePlaneAndAreKnownAsWellAsTheyAreNear) {
+TEST(FarReaching, PiecesLieInThePlaneAndAreKnownAsWellAsTheyAreNear) {
     Scene scene = on_ground(2e5, white, {1.0, Vec3::Zero(), odd_turn()});
     const Surface ground = scene.surfaces.back();
     settle_far_geometry(scene);
@@ -63,20 +63,21 @@ TEST(FarGeometry, PiecesLieInThePlaneAndAreKnownAsWellAsTheyAreNear) {
     }
 }
 
-TEST(FarGeometry, BothSidesOfATwoSidedGroundAreCutAlike) {
+TEST(FarReaching, BothSidesOfATwoSidedGroundAreCutAlike) {
     Scene scene = on_ground(2e5, two_sided);
     settle_far_geometry(scene);
     EXPECT_NEAR(area_from(scene, walls, Side::back), area_from(scene, walls, Side::front), 1.0);
     EXPECT_NEAR(area_from(scene, walls, Side::back), 4e10, 40.0);
 }
 
-TEST(FarGeometry, WhatIsFarDoesNotChangeThePatchSize) {
+TEST(FarReaching, WhatIsFarDoesNotChangeThePatchSize) {
     Scene room = moved(room_with_box(), {5.0}), scene = on_ground(2e5);
     add(scene, rectangle(1e6 * y, 3e4 * x, 3e4 * z));
     settle_far_geometry(scene);
     EXPECT_DOUBLE_EQ(patch_size_for(scene, 300), patch_size_for(room, 300));
     const double size = patch_size_for(room, 300);
-    const std::size_t alone = cut(room, size).mesh.size(), with_ground = cut(scene, size).mesh.size();
+    const std::size_t alone = cut(room, size).mesh.size(),
+                      with_ground = cut(scene, size).mesh.size();
     EXPECT_GT(with_ground, alone);
     EXPECT_LT(with_ground, 2 * alone);
 }

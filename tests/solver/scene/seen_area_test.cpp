@@ -44,8 +44,8 @@ TEST(SeenAreas, OfAnOutlineWithANotchAreRight) {
     const Scene scene = scene_of({l_shape(), rectangle(Vec3(-5, -5, 0), 10 * x, 10 * y)});
     EXPECT_EQ(seen_areas(scene, find_coplanar_overlaps(scene))[0], 0.0);
     const Scene other = scene_of({rectangle(Vec3(-5, -5, 0), 10 * x, 10 * y), l_shape()});
-    EXPECT_NEAR(seen_areas(other, find_coplanar_overlaps(other))[0],
-                100.0 - other.surfaces[1].area, 100.0 * rounding);
+    EXPECT_NEAR(seen_areas(other, find_coplanar_overlaps(other))[0], 100.0 - other.surfaces[1].area,
+                100.0 * rounding);
 }
 
 TEST(SeenAreas, OfADiscUnderASquareIsTheRest) {
