@@ -9,7 +9,6 @@
 #include "solver/transport/patch_fields.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -90,7 +89,7 @@ class AccuracySolve {
     std::optional<MeasuredRound> measured_;
 };
 
-/// What goes astray is counted to a fifth of the target, by chance alone at most.
+/// What goes astray is counted to two fifths of the target, by chance alone at most.
 EnergyAim AccuracySolve::energy_aim() const {
     const bool outside =
         solution_.form_factors.open ||
@@ -99,7 +98,7 @@ EnergyAim AccuracySolve::energy_aim() const {
     aim.balanced = balanced * target_;
     if (outside)
         aim.outside_rays = static_cast<std::size_t>(
-            std::clamp(std::pow(0.5 / (0.2 * target_), 2), 4096.0, 1048576.0));
+            std::clamp(std::pow(0.5 / (0.4 * target_), 2), 4096.0, 262144.0));
     return aim;
 }
 
@@ -142,7 +141,6 @@ bool AccuracySolve::gather(double coarseness) {
 
 void AccuracySolve::measure() {
     measured_ = error_measure().at(aim_, seed(0x636865636b), [this] { return go_on(); });
-    if (getenv("PLDBG")) fprintf(stderr,"round: est %.4f mesh %.4f ff %.4f direct %zu indirect %zu rays %d first %d most %d corr %.4f\n", measured_->error.estimate.value_or(-1), measured_->error.mesh.value_or(-1), measured_->error.form_factors.value_or(-1), light_.pass().direct().gathered(), light_.pass().indirect().gathered(), aim_.rays, aim_.effort.first, aim_.effort.most, light_.correction());
     if (measured_->error.met()) check_from_lamps();
     solution_.error = measured_->error;
 }

@@ -52,7 +52,10 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     coarse_.emplace(scene_, mesh_, transport, other_exitance_);
     if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
         exact_direct_ = to_rgb(*once);
-    if (!pass_.refine_direct({whatever_is_missed, first_elements}, effort)) return false;
+    if (!pass_.refine_direct({whatever_is_missed, first_elements}, effort)) {
+        show_what_there_is(tolerance);
+        return false;
+    }
     if (!solve_coarse(tolerance, observe)) return false;
     const double too_much = pass_.direct_noise() / (noise * norm());
     if (!(too_much > 1.0) || effort.most >= most_samples) return true;
@@ -152,7 +155,10 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
     const DisplayPass::Aim direct{aim.direct * norm(),
                                   std::min(most_elements, root_elements / std::sqrt(aim.direct))},
         indirect{aim.indirect * norm(), 1.0 / aim.indirect};
-    if (!pass_.refine_direct(direct, aim.effort)) return false;
+    if (!pass_.refine_direct(direct, aim.effort)) {
+        show_what_there_is(tolerance);
+        return false;
+    }
     const bool first = !shown_;
     if (first) {
         const bool by_matrix = !exact_direct_.empty();  // shooting once more takes too long
@@ -165,8 +171,13 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
         pass_.restart_indirect();
     }
     if (aim.gathered != GatherAim::Indirect::kept &&
-        !pass_.refine_indirect(indirect, *read_, aim.rays))
+        !pass_.refine_indirect(indirect, *read_, aim.rays)) {
+        if (!shown_) {
+            pass_.restart_indirect();
+            show_what_there_is(tolerance);
+        }
         return false;
+    }
     pass_.show_bends(left_of_bends * std::hypot(aim.direct, aim.indirect) * norm());
     const SplitIrradiance gathered = means_of(pass_.show({}));
     std::vector<Rgb> change = other_exitance_;
@@ -176,16 +187,33 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
     correction_ = coarse_->correct(change, correction_tolerance);
     shown_ = pass_.show(correction_.irradiance);
     balance(tolerance);
+    show(gathered);
+    return true;
+}
+
+/// What rays read from now on is what is shown.
+void GatheredLight::show(const SplitIrradiance& gathered) {
     field_ = make_field(table_of(*shown_));
     direct_shown_ = pass_.direct().gathered();
     direct_means_ = gathered.direct;
     const SplitIrradiance corrected = patch_means(*shown_, mesh_.size());
-    for (std::size_t i = 0; i < change.size(); ++i) {
+    for (std::size_t i = 0; i < irradiance_.size(); ++i) {
         irradiance_[i] = corrected.direct[i] + corrected.indirect[i];
-        field_means_[i] = other_exitance_[i] +
-                          coarse_->reflectance()[i] * (direct_means_[i] + corrected.indirect[i]);
+        field_means_[i] = other_exitance_[i] + coarse_->reflectance()[i] *
+                                                   (direct_means_[i] + corrected.indirect[i]);
     }
-    return true;
+}
+
+/// Direct light as far as it was gathered, and the rest as the coarse solution has it.
+void GatheredLight::show_what_there_is(double tolerance) {
+    if (shown_) return;
+    const SplitIrradiance gathered = means_of(pass_.show({}));
+    coarse_->solve(gathered.direct, tolerance, {});
+    field_means_ = coarse_->reflected();
+    correction_.irradiance = coarse_->irradiance();
+    shown_ = pass_.show(correction_.irradiance);
+    balance(tolerance);
+    show(gathered);
 }
 
 CheckReport GatheredLight::check(const CheckEffort& effort, std::uint64_t seed) const {

@@ -43,7 +43,8 @@ class GatheredLight {
     bool start(const CoarseTransport& transport, const std::vector<double>& backs,
                const EnergyAim& energy, DirectEffort& effort, double noise, double tolerance,
                const CoarseTransport::Observe& observe);
-    /// One round. False if the work was stopped: then what is displayed is as before.
+    /// One round. False if the work was stopped: then what is displayed is as before, or if there
+    /// was nothing what is known by then.
     bool gather(const GatherAim& aim, double tolerance, const CoarseTransport::Observe& observe);
 
     /// What errors are beside: √∫ Y(B - E)² dA, or where nothing is sent back √∫ Y² dA of what
@@ -79,6 +80,8 @@ class GatheredLight {
     void read_coarse();
     void read_newest();
     void balance(double tolerance);
+    void show(const SplitIrradiance& gathered);
+    void show_what_there_is(double tolerance);
     std::vector<Rgb> evened_out(const std::vector<Rgb>& irradiance, double tolerance) const;
 
     const Scene& scene_;

@@ -2,8 +2,11 @@
 
 #include "solver/form_factors/point_factor.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace patchlight {
 
@@ -12,6 +15,23 @@ constexpr float tiny = 1e-12f;  // squared distance that is taken for no less [r
 /// Only samples next to the outline of what is seen are left to chance, √n of n along each length
 /// of the lamp: about two such lengths in sight of a few boxes, or of a sky between walls.
 constexpr double outlines = 2.0;
+constexpr double wide = 0.15;  // of a point's view: a source that is sampled by directions [1]
+
+/// Where a ray from `from` meets the front of a source.
+std::optional<Vec3> meet(const LightSource& source, const Vec3& from, const Vec3& way) {
+    const auto& corners = source.polygon.corners;
+    const double along = way.dot(source.normal);
+    if (!(along < 0.0)) return std::nullopt;
+    const double t = (corners[0] - from).dot(source.normal) / along;
+    if (!(t > 0.0)) return std::nullopt;
+    const Vec3 p = from + t * way;
+    for (std::size_t k = 0; k < source.polygon.size; ++k) {
+        const Vec3& a = corners[k];
+        const Vec3& b = corners[(k + 1) % source.polygon.size];
+        if ((b - a).cross(p - a).dot(source.normal) < 0.0) return std::nullopt;
+    }
+    return p;
+}
 }  // namespace
 
 PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples,
@@ -37,42 +57,72 @@ GatherPoint PointGather::at(const Vec3& position, const Vec3& normal, float lift
     return point;
 }
 
-void PointGather::sample(const GatherPoint& point, const LightSource& source, std::uint64_t key,
-                         int first, int end, Share& share) const {
+/// Segments that are traced together, and what share of their weight is clear.
+struct PointGather::Samples {
+    const PointGather& gather;
+    const GatherPoint& point;
+    const LightSource& source;
+    Share& share;
+    RayBatch batch = {};
+    Lanes weights = {};
+    int filled = 0;
+
+    void add(const RayPoint& goal, const RayPoint& ray, float weight) {
+        RayScene::set_segment(batch, filled, point.origin, point.frame, ray, goal,
+                              source.sampler.frame);
+        weights[static_cast<std::size_t>(filled++)] = weight;
+        if (filled == ray_batch) trace();
+    }
+    void trace() {
+        if (filled == 0) return;
+        const std::uint32_t blocked = gather.rays_.blocked(batch, filled);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(filled); ++k) {
+            share.all += weights[k];
+            if ((blocked >> k) & 1u) continue;
+            const RayPoint ray(batch.dx[k], batch.dy[k], batch.dz[k]);
+            if (count_crossed(gather.apertures_, point.origin, ray) == 0)
+                share.clear += weights[k];
+        }
+        filled = 0;
+    }
+};
+
+void PointGather::sample(const GatherPoint& point, const LightSource& source, double factor,
+                         std::uint64_t key, int first, int end, Share& share) const {
     const std::array<std::uint32_t, 2> seeds{static_cast<std::uint32_t>(key),
                                              static_cast<std::uint32_t>(key >> 32)};
     const RayPoint normal = point.normal.cast<float>(),
                    shift = rays_.shift(source.sampler.frame, point.frame).cast<float>();
-    RayBatch batch;
-    Lanes weights;
-    int filled = 0;
-    const auto trace = [&] {
-        const std::uint32_t blocked = rays_.blocked(batch, filled);
-        for (int k = 0; k < filled; ++k) {
-            share.all += weights[k];
-            if ((blocked >> k) & 1u) continue;
-            const auto lane = static_cast<std::size_t>(k);
-            const RayPoint ray(batch.dx[lane], batch.dy[lane], batch.dz[lane]);
-            if (count_crossed(apertures_, point.origin, ray) == 0) share.clear += weights[k];
-        }
-        filled = 0;
+    Samples samples{*this, point, source, share};
+    const auto coordinate = [&](std::size_t d, int n) {
+        return points_.at(d, static_cast<std::size_t>(n), seeds[d]);
     };
-    for (int n = first; n < end; ++n) {
-        const auto at = static_cast<std::size_t>(n);
-        const RayPoint goal =
-            source.sampler.at(points_.at(0, at, seeds[0]), points_.at(1, at, seeds[1])) +
-            source.lift * source.sampler.normal;
-        const RayPoint ray = goal + shift - point.origin;
-        const float squared = std::max(tiny, ray.squaredNorm());
-        const float weight = std::max(0.0f, ray.dot(normal)) / squared *
-                             (std::max(0.0f, -ray.dot(source.sampler.normal)) / squared);
-        if (!(weight > 0.0f)) continue;
-        RayScene::set_segment(batch, filled, point.origin, point.frame, ray, goal,
-                              source.sampler.frame);
-        weights[filled++] = weight;
-        if (filled == ray_batch) trace();
+    if (factor > wide) {
+        const RayFrame frame = frame_about(normal);
+        const auto scaled = [&](int n) {
+            return std::min(static_cast<int>(n / factor), static_cast<int>(points_.size()));
+        };
+        for (int n = scaled(first); n < scaled(end); ++n) {
+            const RayPoint way = cosine_direction(frame, coordinate(0, n), coordinate(1, n));
+            const std::optional<Vec3> met =
+                meet(source, point.position, way.cast<double>());
+            if (!met) continue;
+            const RayPoint goal = rays_.to_ray_space(*met, source.sampler.frame) +
+                                  source.lift * source.sampler.normal;
+            samples.add(goal, goal + shift - point.origin, 1.0f);
+        }
+    } else {
+        for (int n = first; n < end; ++n) {
+            const RayPoint goal = source.sampler.at(coordinate(0, n), coordinate(1, n)) +
+                                  source.lift * source.sampler.normal;
+            const RayPoint ray = goal + shift - point.origin;
+            const float squared = std::max(tiny, ray.squaredNorm());
+            const float weight = std::max(0.0f, ray.dot(normal)) / squared *
+                                 (std::max(0.0f, -ray.dot(source.sampler.normal)) / squared);
+            if (weight > 0.0f) samples.add(goal, ray, weight);
+        }
     }
-    if (filled > 0) trace();
+    samples.trace();
 }
 
 PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEffort& effort,
@@ -87,8 +137,9 @@ PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEf
         if (!point.clear || !(*point.clear)[s]) {
             const std::uint64_t stream = mix(key, s);
             Share share;
-            sample(point, source, stream, 0, effort.first, share);
-            if (share.mixed()) sample(point, source, stream, effort.first, effort.most, share);
+            sample(point, source, factor, stream, 0, effort.first, share);
+            if (share.mixed())
+                sample(point, source, factor, stream, effort.first, effort.most, share);
             if (share.all > 0.0f) clear = static_cast<double>(share.clear / share.all);
             const double whole = factor * luminance(source.exitance);
             sum.variance +=

@@ -70,7 +70,11 @@ class PointGather {
         float clear = 0.0f, all = 0.0f;  // sums of kernel weights
         bool mixed() const { return clear > 0.0f && clear < all; }
     };
-    void sample(const GatherPoint& point, const LightSource& source, std::uint64_t key, int first,
+    struct Samples;
+    /// Over the area of a source, weighed with the kernel; or, where it fills much of the view
+    /// (`factor`), over directions, all alike: of a wide sky most of the area hardly counts.
+    void sample(const GatherPoint& point, const LightSource& source, double factor,
+                std::uint64_t key, int first,
                 int end, Share& share) const;
 
     struct Through {

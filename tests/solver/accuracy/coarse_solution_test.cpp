@@ -31,6 +31,7 @@ class SphereTransport final : public CoarseTransport {
         }
         return result;
     }
+    bool has_matrix() const override { return has_matrix_; }
     std::optional<Field> once(const Field& radiosity) const override {
         if (!has_matrix_) return std::nullopt;
         Field arriving;

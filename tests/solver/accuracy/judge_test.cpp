@@ -29,46 +29,80 @@ TEST(MeasureReflected, TellsNormsOfObjectsAndHowOftenLightIsSentBack) {
 
 struct Judged {
     CheckReport checks;
-    ReflectedLight light;
-    ErrorReport error;
+    Evidence evidence;
 
     Judged() {
         checks.direct = {0.03, 0.0, 0.0, 400};
         checks.indirect = {0.01, 0.0, 0.0, 400};
-        light = {2.0, 4.0, 3.0, {1.9, 0.6, 0.01}};
-        checks.of_object = {{0.01, 500}, {0.01, 300}, {0.5, 100}};
+        checks.of_object = {{0.01, 0.0, 500}, {0.01, 0.0, 300}, {0.5, 0.0, 4}};
+        evidence.checks = &checks;
+        evidence.target = 0.2;
+        evidence.light = {2.0, 4.0, 3.0, {1.9, 0.6, 0.01}};
     }
 };
 
-TEST(EstimateError, TakesWhatWasMeasuredBesideTheNorm) {
+TEST(Judge, TakesWhatWasMeasuredBesideTheNorm) {
     Judged judged;
-    estimate_error(judged.checks, judged.light, 0.0, 0.0, judged.error);
-    EXPECT_NEAR(*judged.error.mesh, passed_on * 0.2 / 2.0, rounding);
-    EXPECT_NEAR(*judged.error.estimate, *judged.error.mesh, rounding);
-    ASSERT_TRUE(judged.error.worst);
-    EXPECT_EQ(judged.error.worst->object, 1u) << "the third hardly sends back any light";
-    EXPECT_NEAR(judged.error.worst->estimate, 0.1 / 0.6, rounding);
+    const ErrorReport error = judge(judged.evidence, 0.0);
+    EXPECT_NEAR(*error.mesh, passed_on * 0.2 / 2.0, rounding);
+    EXPECT_NEAR(*error.estimate, *error.mesh, rounding);
+    EXPECT_TRUE(error.met());
 }
 
-TEST(EstimateError, GrowsByDoubtAndByWhatIsWrongEverywhereAlike) {
+TEST(Judge, NamesTheObjectMostWrongBesideItsOwnLight) {
+    Judged judged;
+    const ErrorReport error = judge(judged.evidence, 0.0);
+    ASSERT_TRUE(error.worst);
+    EXPECT_EQ(error.worst->object, 1u);
+    EXPECT_NEAR(error.worst->estimate, passed_on * 0.1 / 0.6, rounding);
+    EXPECT_FALSE(error.of_object[2]) << "four points do not tell";
+}
+
+TEST(Judge, GrowsByDoubtAndByWhatIsWrongEverywhereAlike) {
     Judged judged;
     judged.checks.indirect.variance = 1e-4;
-    estimate_error(judged.checks, judged.light, 0.0, sure, judged.error);
-    EXPECT_NEAR(*judged.error.mesh, passed_on * std::sqrt(0.04 + 2 * 0.01) / 2.0, rounding);
+    EXPECT_NEAR(*judge(judged.evidence).mesh, passed_on * std::sqrt(0.04 + 2 * 0.01) / 2.0,
+                rounding);
     judged.checks.indirect.mean = -0.2;
-    judged.error.algebraic_bound = 0.001;
-    estimate_error(judged.checks, judged.light, 0.03, sure, judged.error);
+    judged.evidence.algebraic_bound = 0.001;
+    judged.evidence.coarse = 0.03;
+    const ErrorReport error = judge(judged.evidence);
     const double alike = (3.0 - 1.0) * 0.2 / std::sqrt(4.0) / 2.0;
-    EXPECT_NEAR(*judged.error.form_factors, std::hypot(0.03, alike), rounding);
-    EXPECT_NEAR(*judged.error.estimate,
-                0.001 + std::hypot(*judged.error.form_factors, *judged.error.mesh), rounding);
+    EXPECT_NEAR(*error.form_factors, std::hypot(0.03, alike), rounding);
+    EXPECT_NEAR(*error.estimate, 0.001 + std::hypot(*error.form_factors, *error.mesh), rounding);
 }
 
-TEST(EstimateError, SaysNothingWhereNoLightIsSentBack) {
+TEST(Judge, TakesWhatGoesRoundAsItWasSentRatherThanGuessed) {
     Judged judged;
-    judged.light.norm = 0.0;
-    estimate_error(judged.checks, judged.light, 0.0, sure, judged.error);
-    EXPECT_FALSE(judged.error.estimate);
+    judged.checks.indirect.mean = -0.2;
+    judged.evidence.propagated = 0.004;
+    EXPECT_NEAR(*judge(judged.evidence).form_factors, 0.004, rounding);
+}
+
+TEST(Judge, IsNeverBelowWhatParticlesOrTheEnergyProve) {
+    Judged judged;
+    judged.evidence.transport = TransportCheck{0.6, 0.0, 0.5, 0.0, 1000, 1000};
+    EXPECT_NEAR(*judge(judged.evidence).estimate, 0.6, rounding);
+    judged.evidence.transport->doubt = 0.8;
+    EXPECT_NEAR(*judge(judged.evidence).estimate, 1.0, rounding);
+    judged.evidence.transport.reset();
+    judged.evidence.proven_by_energy = 0.7;
+    EXPECT_NEAR(*judge(judged.evidence).estimate, 0.7, rounding);
+}
+
+TEST(Judge, IsNotMetWhileEnergyIsMissing) {
+    Judged judged;
+    judged.evidence.energy.defect = 0.25;
+    judged.evidence.energy.standard_error = 0.02;
+    EXPECT_FALSE(judge(judged.evidence, 0.0).met());
+    judged.evidence.energy.standard_error = 0.03;
+    EXPECT_TRUE(judge(judged.evidence, 0.0).met()) << "two standard errors may be chance";
+}
+
+TEST(Judge, SaysNothingWhereNoLightIsSentBack) {
+    Judged judged;
+    judged.evidence.light.norm = 0.0;
+    EXPECT_FALSE(judge(judged.evidence).estimate);
 }
 
 }  // namespace
