@@ -198,9 +198,8 @@ void GatheredLight::show(const SplitIrradiance& gathered) {
     direct_means_ = gathered.direct;
     const SplitIrradiance corrected = patch_means(*shown_, mesh_.size());
     for (std::size_t i = 0; i < irradiance_.size(); ++i) {
-        irradiance_[i] = corrected.direct[i] + corrected.indirect[i];
-        field_means_[i] = other_exitance_[i] + coarse_->reflectance()[i] *
-                                                   (direct_means_[i] + corrected.indirect[i]);
+        irradiance_[i] = direct_means_[i] + corrected.indirect[i];
+        field_means_[i] = other_exitance_[i] + coarse_->reflectance()[i] * irradiance_[i];
     }
 }
 

@@ -15,7 +15,14 @@ constexpr float tiny = 1e-12f;  // squared distance that is taken for no less [r
 /// Only samples next to the outline of what is seen are left to chance, √n of n along each length
 /// of the lamp: about two such lengths in sight of a few boxes, or of a sky between walls.
 constexpr double outlines = 2.0;
-constexpr double wide = 0.15;  // of a point's view: a source that is sampled by directions [1]
+constexpr double wide = 0.15;       // of a point's view: a source may be sampled by directions [1]
+constexpr double wide_for_height = 4.0;  // above its plane: most of its area hardly counts [1]
+
+bool is_wide_from(const LightSource& source, const Vec3& from) {
+    const double height = std::abs((from - source.polygon.corners[0]).dot(source.normal));
+    return vector_area(source.polygon.view()).norm() >
+           wide_for_height * wide_for_height * height * height;
+}
 
 /// Where a ray from `from` meets the front of a source.
 std::optional<Vec3> meet(const LightSource& source, const Vec3& from, const Vec3& way) {
@@ -97,7 +104,7 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, do
     const auto coordinate = [&](std::size_t d, int n) {
         return points_.at(d, static_cast<std::size_t>(n), seeds[d]);
     };
-    if (factor > wide) {
+    if (factor > wide && is_wide_from(source, point.position)) {
         const RayFrame frame = frame_about(normal);
         const auto scaled = [&](int n) {
             return std::min(static_cast<int>(n / factor), static_cast<int>(points_.size()));

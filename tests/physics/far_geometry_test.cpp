@@ -107,12 +107,5 @@ TEST_F(FarGeometry, ARoomOfMillimetresOrKilometresIsTheSame) {
     }
 }
 
-TEST_F(FarGeometry, ARoomOfACentimetreInAHallIsTheSame) {
-    const Motion motion{1e-2 / 4.0, Vec3(300, 200, 50)};
-    Scene hall = empty_scene();
-    add_box(hall, Vec3::Zero(), Vec3(1000, 800, 200), Facing::inwards);
-    expect_same(with_sensors_moved(with(moved(room, motion), hall), room, motion), motion.scale);
-}
-
 }  // namespace
 }  // namespace patchlight

@@ -46,7 +46,7 @@ TEST(Flux, BothSidesShareIt) {
 
 TEST(Flux, IsSpreadEvenlyOverTheEmittingFrontsOfAllDescendants) {
     const Scene scene = read(R"({"name": "l", "flux": 60, "children": [
-        {"name": "small", "material": "lamp", "polygon": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]]},
+        {"name": "small", "material": "lamp", "polygon": [[0,0,-1],[1,0,-1],[1,1,-1],[0,1,-1]]},
         {"name": "box", "material": "dark", )" +
                                  square + R"(},
         {"name": "large", "material": "lamp", "translation": [0,0,1], )" +
@@ -71,7 +71,7 @@ TEST(Flux, InADefinitionIsThatOfEachInstance) {
     const Job job = read_scene_text(R"({"version": 1, "materials": {"lamp": {"exitance": 1}},
         "definitions": {"bulb": {"material": "lamp", "flux": 5, )" +
                                     square + R"(}},
-        "objects": [{"instance": "bulb"}, {"instance": "bulb", "scale": 3},
+        "objects": [{"instance": "bulb"}, {"instance": "bulb", "scale": 3, "translation": [0, 0, 1]},
                     {"instance": "bulb", "flux": 9, "translation": [0, 0, 2]}]})");
     for (const auto& [surface, flux] : {std::pair{0, 5.0}, {1, 5.0}, {2, 9.0}}) {
         const Surface& lit = job.scene.surfaces[static_cast<std::size_t>(surface)];
@@ -93,7 +93,7 @@ TEST(Flux, NeedsAMaterialThatEmitsAndARightNumber) {
     expect_rejected(object("dark", "10"), "/objects/0/flux", "no material of the object emits");
     expect_rejected(object("lamp", "-1"), "/objects/0/flux", "at least 0");
     expect_rejected(object("lamp", "[1, 2]"), "/objects/0/flux", "3 numbers, not 2");
-    expect_rejected(object("lamp", "\"5 lm\""), "/objects/0/flux", "must be an array");
+    expect_rejected(object("lamp", "\"5 lm\""), "/objects/0/flux", "must be a number");
     expect_rejected(object("lamp", "1e30"), "/objects/0/flux", "at most 1e+15");
     expect_rejected(scene(R"({"scale": 1e-8, "material": "lamp", "flux": 1e6, )" + square + "}"),
                     "/objects/0/flux", "is too much for an area of");

@@ -39,11 +39,13 @@ void expect_solved(const OddScene& odd, Engine engine) {
     const PictureRequest picture{job.cameras.front(), {ImageFormat::pfm}, {}, {}};
     const JobResult result = run_job(job, {picture}, 0.0, {});
     EXPECT_EQ(result.solution.status, Status::converged) << odd.text;
-    EXPECT_LT(result.solution.energy.defect, energy_rounding) << odd.text;
+    const EnergyReport& energy = result.solution.energy;  // 4 standard errors: 1 in 16 000
+    EXPECT_LT(energy.defect, energy_rounding + 4.0 * energy.standard_error) << odd.text;
     expect_finite(result.images.at(0).bytes);
     std::string found;
     for (const Finding& finding : result.solution.findings)
-        if (finding.kind != "wasted-light")  // what is odd may be too small to be lit
+        // What is odd may be too small to be lit, and is of any size.
+        if (finding.kind != "wasted-light" && finding.kind != "unlikely-size")
             found += finding.kind + " ";
     EXPECT_EQ(found, odd.finding.empty() ? "" : odd.finding + " ") << odd.text;
 }

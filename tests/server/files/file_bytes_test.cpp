@@ -36,7 +36,8 @@ TEST(FileBytes, WhatIsNoReadableFileIsRefused) {
     EXPECT_EQ(refusal(test_file("none.obj/x.obj")),
               "shown: cannot be read: No such file or directory");
     EXPECT_EQ(refusal(test_file("room.fbx")),
-              "shown: the name must end in .obj, .gltf, .glb or .stl, not '.fbx'");
+              "shown: is an FBX scene, which is not read; export it as glTF, with Blender for "
+              "instance");
 }
 
 TEST(FileBytes, AFileBesideLiesInTheDirectoryOrBelow) {
