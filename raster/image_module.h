@@ -5,8 +5,8 @@
 namespace patchlight::raster {
 
 // OpenImageIO takes a quarter of a second and 130 MB to load, so it is linked by a module of its
-// own, patchlight_image.so, that is loaded when a picture is to be encoded or read. It is the file named by
-// the environment variable PATCHLIGHT_IMAGE_MODULE; if that is not set, the first of
+// own, patchlight_image.so, that is loaded when a picture is to be encoded or read. It is the file
+// named by the environment variable PATCHLIGHT_IMAGE_MODULE; if that is not set, the first of
 // patchlight_image.so beside the program, in ../lib/patchlight from there, where it was installed,
 // where it was built.
 

@@ -28,8 +28,8 @@ constexpr double still_settling = 0.7;  // of the error before: rounds still bri
 constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
 constexpr double first_for = 0.5;                         // samples of each lamp, times the target
 constexpr int most_first = 512;
-constexpr double direct_noise = 0.25;  // of the target, that samples of lamps leave
-constexpr double balanced = 0.02;      // of the target, that may be missing of the energy
+constexpr double direct_noise = 0.25;   // of the target, that samples of lamps leave
+constexpr double balanced = 0.02;       // of the target, that may be missing of the energy
 constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong

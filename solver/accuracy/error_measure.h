@@ -2,7 +2,7 @@
 
 #include "solver/accuracy/gathered_light.h"
 #include "solver/accuracy/judge.h"
-#include "solver/particles/transport_check.h"
+#include "solver/accuracy/transport_check.h"
 
 #include <functional>
 

@@ -8,8 +8,8 @@ namespace patchlight {
 
 namespace {
 
-constexpr int fewest = ray_batch;        // samples of an aperture
-constexpr std::size_t many = 32;          // apertures
+constexpr int fewest = ray_batch;  // samples of an aperture
+constexpr std::size_t many = 32;   // apertures
 constexpr int fewest_of_many = 4;
 constexpr float samples_of_size = 8.0f;  // times its size over the distance
 constexpr int most_at_first = 64, most_ever = 1024;

@@ -1,7 +1,7 @@
 #include "solver/display/display_pass.h"
 
-#include "solver/apertures/find_apertures.h"
 #include "solver/display/curved_mean.h"
+#include "solver/display/find_apertures.h"
 
 #include <algorithm>
 #include <cmath>

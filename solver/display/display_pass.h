@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solver/apertures/light_spots.h"
 #include "solver/display/irradiance_layer.h"
+#include "solver/display/light_spots.h"
 #include "solver/display/near_lights.h"
 #include "solver/display/tree_display.h"
 #include "solver/display/vertex_gather.h"

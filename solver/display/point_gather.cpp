@@ -15,7 +15,7 @@ constexpr float tiny = 1e-12f;  // squared distance that is taken for no less [r
 /// Only samples next to the outline of what is seen are left to chance, √n of n along each length
 /// of the lamp: about two such lengths in sight of a few boxes, or of a sky between walls.
 constexpr double outlines = 2.0;
-constexpr double wide = 0.15;       // of a point's view: a source may be sampled by directions [1]
+constexpr double wide = 0.15;  // of a point's view: a source may be sampled by directions [1]
 constexpr double wide_for_height = 4.0;  // above its plane: most of its area hardly counts [1]
 
 bool is_wide_from(const LightSource& source, const Vec3& from) {
@@ -87,8 +87,7 @@ struct PointGather::Samples {
             share.all += weights[k];
             if ((blocked >> k) & 1u) continue;
             const RayPoint ray(batch.dx[k], batch.dy[k], batch.dz[k]);
-            if (count_crossed(gather.apertures_, point.origin, ray) == 0)
-                share.clear += weights[k];
+            if (count_crossed(gather.apertures_, point.origin, ray) == 0) share.clear += weights[k];
         }
         filled = 0;
     }
@@ -111,8 +110,7 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, do
         };
         for (int n = scaled(first); n < scaled(end); ++n) {
             const RayPoint way = cosine_direction(frame, coordinate(0, n), coordinate(1, n));
-            const std::optional<Vec3> met =
-                meet(source, point.position, way.cast<double>());
+            const std::optional<Vec3> met = meet(source, point.position, way.cast<double>());
             if (!met) continue;
             const RayPoint goal = rays_.to_ray_space(*met, source.sampler.frame) +
                                   source.lift * source.sampler.normal;

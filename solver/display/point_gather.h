@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/apertures/aperture.h"
+#include "solver/display/aperture.h"
 #include "solver/display/light_sources.h"
 #include "solver/display/reflected_field.h"
 #include "solver/rays/cosine_directions.h"
@@ -74,8 +74,7 @@ class PointGather {
     /// Over the area of a source, weighed with the kernel; or, where it fills much of the view
     /// (`factor`), over directions, all alike: of a wide sky most of the area hardly counts.
     void sample(const GatherPoint& point, const LightSource& source, double factor,
-                std::uint64_t key, int first,
-                int end, Share& share) const;
+                std::uint64_t key, int first, int end, Share& share) const;
 
     struct Through {
         Rgb irradiance = Rgb::Zero();

@@ -25,7 +25,7 @@ constexpr double gets_light = 0.25;           // of a back's view that sends lig
 constexpr int lamp_flights = 8;               // after which light has found its way round a room
 constexpr std::size_t most_partners = 256;
 constexpr double off_contact = 1.5;      // of the local tolerance: in one plane [1]
-constexpr std::size_t lamp_walks = 32;        // that look for a lamp, from each side of a surface
+constexpr std::size_t lamp_walks = 32;   // that look for a lamp, from each side of a surface
 constexpr std::size_t most_judged = 64;  // surfaces of an object whose two sides both see fronts
 constexpr double darker = 0.1;           // of the walks from the back: reach a lamp from the front
 

@@ -11,7 +11,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr double widest_gap = 1e-2;              // of the size of what is around [1]
+constexpr double widest_gap = 1e-2;          // of the size of what is around [1]
 constexpr double widest_for_edge = 0.2;      // of the edge's length [1]
 constexpr double crease = 0.866;             // cosine between normals, at most
 constexpr double clear = 0.35;               // of its width that is empty round its middle [1]

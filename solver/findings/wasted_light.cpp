@@ -14,7 +14,7 @@ namespace patchlight {
 namespace {
 
 constexpr std::size_t most_wasteful = 1000;  // objects that are looked at
-constexpr std::size_t first_rays = 64;    // of which mostly one meets a front
+constexpr std::size_t first_rays = 64;       // of which mostly one meets a front
 constexpr std::size_t all_rays = 4096;
 constexpr std::size_t most_targets = 2000;  // surfaces that a lamp may reach past all rays
 constexpr std::size_t tries = 8;            // of ways from a lamp to each of them

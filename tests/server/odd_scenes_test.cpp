@@ -139,7 +139,7 @@ TEST(OddScenes, SensorsInCornersWallsAndFarAway) {
         {"name": "in the lamp", "position": [0.5,0.5,1], "normal": [0,0,1]},
         {"name": "in a corner", "position": [0,0,0], "normal": [1,1,1]},
         {"name": "far away", "position": [1e8,0,0], "normal": [-1,0,0]}]})");
-    expect_each_solved({{scene, ""}});
+    expect_each_solved({{scene, "sensor-misplaced"}});
     const Job job = read_scene_text(scene);
     const Solution solution = solve_scene(job.scene, job.settings, {});
     EXPECT_GT(luminance(solution.sensors[0].irradiance), 2.0);

@@ -51,7 +51,9 @@ TEST_P(OddGeometry, AnInvertedWallShowsInTheEnergyBalance) {
     flipped.normal = -flipped.normal;
     const EnergyReport energy = solve(builder.scene, GetParam(), coarse).energy;
     EXPECT_GT(energy.backs[0], 0.1 * energy.emitted[0]);
-    EXPECT_NEAR(energy.escaped[0], 1.0, 1e-3) << "all that the wall gives off";
+    // By rays where a solve to an accuracy counts them: 4 standard errors, 1 in 16 000.
+    EXPECT_NEAR(energy.escaped[0], 1.0, 1e-3 + 4.0 * energy.standard_error * energy.emitted[0])
+        << "all that the wall gives off";
     judge("C5", GetParam(), energy.defect, energy_kept, gathered(GetParam()));
 }
 

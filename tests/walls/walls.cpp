@@ -59,10 +59,10 @@ const std::vector<Door> doors = {
     {"solver/settings.h", {}},
     {"solver/solution.h", mesh + Paths{"solver/settings.h"}},
     {"solver/", Paths{"solver/"} + numbers + system_calls},
-    {"server/files/",
-     Paths{"server/files/", "server/json_", "server/transform_json.h", "server/unique_names.h",
-           "server/utf8_text.h", "server/wording.h", "solver/scene/", "nlohmann/"} +
-         numbers},
+    {"server/files/", Paths{"server/files/", "server/json_", "server/transform_json.h",
+                            "server/unique_names.h", "server/utf8_text.h", "server/wording.h",
+                            "solver/scene/", "raster/mean_colour.h", "nlohmann/"} +
+                          numbers},
     {"server/", ways_in + Paths{"CLI/", "signal.h"}},
     {"server/chart/run_gnuplot", ways_in + Paths{"signal.h", "spawn.h"}},
     {"server/http/", ways_in + network + Paths{"spdlog/"}},

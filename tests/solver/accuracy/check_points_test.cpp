@@ -24,8 +24,8 @@ TEST(CheckReport, JoinsTwoSetsOfPointsByTheirNumbers) {
     CheckReport a, b;
     a.indirect = {1.0, 0.3, 2.0, 100};
     b.indirect = {4.0, 0.6, -1.0, 200};
-    a.of_object = {{1.0, 40}, {0.0, 0}};
-    b.of_object = {{4.0, 80}, {3.0, 10}};
+    a.of_object = {{1.0, 0.0, 40}, {0.0, 0.0, 0}};
+    b.of_object = {{4.0, 0.0, 80}, {3.0, 0.0, 10}};
     const CheckReport both = joined(a, b);
     EXPECT_NEAR(both.indirect.square, 3.0, 1e-12);
     EXPECT_NEAR(both.indirect.variance, 0.3 / 9 + 0.6 * 4 / 9, 1e-12);

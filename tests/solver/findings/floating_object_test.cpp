@@ -23,7 +23,7 @@ TEST(FloatingObject, IsToldOfABoxJustAboveTheFloor) {
 
 TEST(FloatingObject, IsNoneThatStandsOrHangsWellAbove) {
     expect_nothing_told(room_with_box_at(0.0));
-    expect_nothing_told(room_with_box_at(1e-6));
+    expect_nothing_told(room_with_box_at(1e-7));
     expect_nothing_told(room_with_box_at(0.05));
     expect_nothing_told(room_with_box_at(-1e-3));  // patches are cut where it passes the floor
 }

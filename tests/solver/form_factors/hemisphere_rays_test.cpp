@@ -98,7 +98,11 @@ TEST(HemisphereRays, AreTheSameEachTimeAndOthersForAnotherSeedOrPatch) {
     plate.hemisphere.fill(0, 16, again);
     other.hemisphere.fill(0, 16, of_other_seed);
     plate.hemisphere.fill(1, 16, of_other_patch);
-    EXPECT_EQ(std::memcmp(&once, &again, sizeof once), 0);
+    EXPECT_EQ(once.ox, again.ox);
+    EXPECT_EQ(once.oz, again.oz);
+    EXPECT_EQ(once.dx, again.dx);
+    EXPECT_EQ(once.dy, again.dy);
+    EXPECT_EQ(once.dz, again.dz);
     EXPECT_NE(once.dx, of_other_seed.dx);
     EXPECT_NE(once.dx, of_other_patch.dx);
 }

@@ -21,6 +21,7 @@ TEST_P(PointsOfOrder, WeighThePatchAndBalanceAtItsCentre) {
     const PatchPoints points = make_patch_points(plate.mesh, order);
     ASSERT_EQ(points.per_patch, static_cast<std::size_t>(order * order));
     for (PatchIndex i = 0; i < plate.mesh.size(); ++i) {
+        if (plate.mesh.patches[i].covered) continue;  // stands for an area that is not meshed
         double area = 0.0;
         Vec3 moment = Vec3::Zero();
         for (std::size_t k = i * points.per_patch; k < (i + 1) * points.per_patch; ++k) {

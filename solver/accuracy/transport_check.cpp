@@ -1,4 +1,4 @@
-#include "solver/particles/transport_check.h"
+#include "solver/accuracy/transport_check.h"
 
 #include "solver/rays/low_discrepancy.h"
 
@@ -61,9 +61,9 @@ ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, cons
     const double count = std::max(
         std::min(static_cast<double>(effort.rays) / each, most_regions * wanted / landings),
         std::min(sure_enough, effort.is_hurried ? 0.0 : most_for_doubt));
-    const ParticleFlux flux =
-        particles.send(std::clamp(static_cast<std::size_t>(count), fewest,
-                   effort.is_hurried ? most_in_a_hurry : most), mix(seed, 1));
+    const ParticleFlux flux = particles.send(std::clamp(static_cast<std::size_t>(count), fewest,
+                                                        effort.is_hurried ? most_in_a_hurry : most),
+                                             mix(seed, 1));
     constexpr double deciding = 0.25;  // of the landings
     evidence.regions = make_flux_regions(scene, mesh, rays, shown, flux,
                                          static_cast<int>(std::ceil(deciding * wanted)));

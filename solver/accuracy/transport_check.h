@@ -1,16 +1,16 @@
 #pragma once
 
-#include "solver/particles/flux_regions.h"
+#include "solver/accuracy/flux_regions.h"
 
 namespace patchlight {
 
 /// What a displayed field is checked with from the other end.
 struct ParticleEffort {
-    double target = 0.01;    // relative error that should show [1]
-    std::uint64_t rays = 0;  // about as many, and no more than show that
+    double target = 0.01;     // relative error that should show [1]
+    std::uint64_t rays = 0;   // about as many, and no more than show that
     bool is_hurried = false;  // no more than a few, whatever they leave in doubt
-    double norm = 0.0;       // √∫ Y(B - E)² dA [W/m]
-    double area = 0.0;       // of all fronts [m²]
+    double norm = 0.0;        // √∫ Y(B - E)² dA [W/m]
+    double area = 0.0;        // of all fronts [m²]
 };
 
 struct ParticleEvidence {

@@ -1,4 +1,4 @@
-#include "solver/apertures/gap_probe.h"
+#include "solver/display/gap_probe.h"
 
 #include <Eigen/Geometry>
 
@@ -13,14 +13,14 @@ constexpr float least = 3e-3f;   // of the widest gap: narrower ones let hardly 
 constexpr float longest = 2.0f;  // as wide as all there is
 constexpr int halvings = 10;
 constexpr float slack = 0.02f;   // of a gap's width, on each side
-constexpr int rounds = 2;        // of centring
+constexpr int centrings = 2;     // of centring
 constexpr float inside = 0.95f;  // of the reach
 constexpr float depth = 2.0f;    // of what bounds a gap, over its width [1]
 
 }  // namespace
 
-/// What bounds a gap lies about as near its plane as it is wide: what is met farther off is what the
-/// light falls on.
+/// What bounds a gap lies about as near its plane as it is wide: what is met farther off is what
+/// the light falls on.
 float GapProbe::half_at(float offset) const {
     return std::min(inside * reach, depth * offset + least * widest);
 }
@@ -95,7 +95,7 @@ std::optional<Aperture> GapProbe::find(const RayPoint& point, const RayPoint& ou
     const auto& [first, second] = *found;
     RayPoint centre = point;
     float width = 0.0f, length = 0.0f;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < centrings; ++round) {
         if (!is_clear(centre, least * widest)) return std::nullopt;
         const float start = std::max(least * widest, 0.1f * width);
         const Reach ahead = clear_along(centre, first, start, 2.0f * widest),

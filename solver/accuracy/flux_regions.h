@@ -1,8 +1,8 @@
 #pragma once
 
 #include "solver/accuracy/displayed_field.h"
+#include "solver/accuracy/light_particles.h"
 #include "solver/display/tree_display.h"
-#include "solver/particles/light_particles.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "solver/apertures/find_apertures.h"
+#include "solver/display/find_apertures.h"
 
-#include "solver/apertures/gap_probe.h"
+#include "solver/display/gap_probe.h"
 #include "solver/rays/low_discrepancy.h"
 
 #include <oneapi/tbb/parallel_for.h>

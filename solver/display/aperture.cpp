@@ -1,4 +1,4 @@
-#include "solver/apertures/aperture.h"
+#include "solver/display/aperture.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "solver/apertures/light_spots.h"
+#include "solver/display/light_spots.h"
 
 #include "solver/rays/low_discrepancy.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/apertures/aperture.h"
+#include "solver/display/aperture.h"
 #include "solver/mesh/patch_mesh.h"
 #include "solver/rays/ray_scene.h"
 

@@ -1,4 +1,4 @@
-#include "solver/particles/flux_regions.h"
+#include "solver/accuracy/flux_regions.h"
 
 #include "solver/rays/low_discrepancy.h"
 
@@ -46,8 +46,9 @@ std::vector<Landed> locate(const Scene& scene, const PatchMesh& mesh, const RayS
                                                              static_cast<double>(from.flux[2])));
                 landed[k].triangle = nowhere;
                 if (!(y > 0.0)) continue;
-                const auto place =
-                    field.locate(from.surface, rays.from_ray_space(from.position.cast<double>(), rays.frame(from.surface)));
+                const auto place = field.locate(
+                    from.surface,
+                    rays.from_ray_space(from.position.cast<double>(), rays.frame(from.surface)));
                 if (!place) continue;
                 landed[k] = {place->triangle,
                              from.path,

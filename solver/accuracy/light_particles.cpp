@@ -1,4 +1,4 @@
-#include "solver/particles/light_particles.h"
+#include "solver/accuracy/light_particles.h"
 
 #include "solver/rays/cosine_directions.h"
 #include "solver/rays/low_discrepancy.h"
