@@ -116,11 +116,18 @@ void judge(const std::string& kind, const std::string& name, const Scene& scene,
         const auto& estimate = solution.error.estimate;
         const bool met = solution.error.met(), within = estimate && error.value <= *estimate,
                    surely = estimate && error.low <= *estimate;
-        std::printf("%s,%s,%g,%.2f,%s,%.5f,%.5f,%d,%d,%d,%.5f,%s,%s,%s,%zu\n", kind.c_str(),
+        std::printf("%s,%s,%g,%.2f,%s,%.5f,%.5f,%d,%d,%d,%.5f,%s,%s,%s,%zu,%.5f", kind.c_str(),
                     name.c_str(), accuracy, seconds, number(estimate).c_str(), error.value,
                     error.sigma(), met, within, surely, solution.energy.defect,
                     name_of(solution.status), number(solution.error.form_factors).c_str(),
-                    number(solution.error.mesh).c_str(), solution.mesh.patches.size());
+                    number(solution.error.mesh).c_str(), solution.mesh.patches.size(),
+                    solution.error.unbalanced);
+        if (const auto& check = solution.error.transport)
+            std::printf(",%.5f,%.5f,%.5f,%.5f,%llu\n", check->proven, check->difference,
+                        check->standard_error, check->doubt,
+                        static_cast<unsigned long long>(check->rays));
+        else
+            std::printf(",,,,,\n");
         std::fflush(stdout);
         Tally& tally = tallies[{kind, accuracy}];
         ++tally.scenes;
@@ -220,7 +227,8 @@ int run(const Options& options) {
             "usage: CLASS FIRST COUNT, or --scene FILE; see claim_bench.cpp");
     std::printf(
         "class,seed,accuracy,seconds,estimate,true,true_sigma,met,within,within_surely,"
-        "defect,status,form_factors,mesh,patches\n");
+        "defect,status,form_factors,mesh,patches,"
+        "unbalanced,proven,difference,difference_sigma,doubt,particle_rays\n");
     if (!options.scene.empty()) {
         judge("file", options.scene, server::read_scene_file(options.scene).scene, options,
               tallies);

@@ -64,7 +64,7 @@ void Emission::find_heights(Lamp& lamp) const {
 
 /// A gap in a plane is a box there, whatever the direction: the plane in which samples crowd most
 /// is where the guide is learned.
-void Emission::guide(Lamp& lamp, std::vector<WeightedPlace> samples) {
+void Emission::teach(Lamp& lamp, std::vector<WeightedPlace> samples) {
     const auto thinned = [&](std::size_t most, double height) {
         const std::size_t step = (samples.size() + most - 1) / most;
         std::vector<WeightedPlace> some;
@@ -150,7 +150,7 @@ double Emission::density(std::size_t k, const Place& place) const {
     return density / cumulated_.back();
 }
 
-void Emission::learn(std::span<const UsefulLight> useful) {
+void Emission::learn(std::span<const UsefulLight> useful, bool guide) {
     std::vector<std::vector<WeightedPlace>> of_lamp(lamps_.size());
     std::vector<double> share(lamps_.size());
     double flux = 0.0, importance = 0.0;
@@ -162,10 +162,10 @@ void Emission::learn(std::span<const UsefulLight> useful) {
     for (const UsefulLight& light : useful) {
         const double worth = 0.5 * light.flux / flux + 0.5 * light.importance / importance;
         share[light.lamp] += worth;
-        of_lamp[light.lamp].push_back({light.place, worth});
+        if (guide) of_lamp[light.lamp].push_back({light.place, worth});
     }
     for (std::size_t k = 0; k < lamps_.size(); ++k)
-        if (of_lamp[k].size() >= few) guide(lamps_[k], std::move(of_lamp[k]));
+        if (of_lamp[k].size() >= few) teach(lamps_[k], std::move(of_lamp[k]));
     set_chances(share);
 }
 

@@ -46,7 +46,8 @@ class Emission {
     /// Of launches, on a lamp's area and disc; over all lamps it integrates to 1.
     double density(std::size_t lamp, const Place& place) const;
 
-    void learn(std::span<const UsefulLight> useful);
+    /// From which lamps light comes to use and, if asked, from where on them and to where.
+    void learn(std::span<const UsefulLight> useful, bool guide);
 
   private:
     struct Lamp {
@@ -60,7 +61,7 @@ class Emission {
     };
     static Place raised(const Place& place, double height);
     void find_heights(Lamp& lamp) const;
-    static void guide(Lamp& lamp, std::vector<WeightedPlace> samples);
+    static void teach(Lamp& lamp, std::vector<WeightedPlace> samples);
     void set_chances(std::span<const double> share);
 
     const TracedScene& traced_;

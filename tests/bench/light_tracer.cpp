@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t pairs = 16;        // batches of either half
 constexpr double pilot = 0.1;            // of the landings, to decide on bins
 constexpr double bins_of_dark = 1500.0;  // as many share the surfaces even where little lands
+constexpr double least_absorbed = 0.1;   // of a scene as pale as any [1]
 constexpr double first_launches = 65536.0;
 
 double divided(double sum, double by) { return by > 0.0 ? sum / by : 0.0; }
@@ -61,10 +62,13 @@ LightTracer::LightTracer(const Scene& scene, const TracerSettings& settings)
 
 void LightTracer::find_bins() {
     std::vector<Landed> landed;
-    double reflecting = 0.0;
+    double reflecting = 0.0, sent_back = 0.0;
     for (const Surface& surface : scene_.surfaces)
-        if ((scene_.materials[surface.material].reflectance > 0.0).any())
+        if (const Rgb& share = scene_.materials[surface.material].reflectance;
+            (share > 0.0).any()) {
             reflecting += surface.area;
+            sent_back += share.maxCoeff() * surface.area;
+        }
     if (!emission_.is_dark()) {
         Random first(settings_.seed, 0);
         double usual = 0.0;
@@ -72,7 +76,9 @@ void LightTracer::find_bins() {
             follow(first, [&](const LandedAt&, const Rgb&, const Rgb& reflected) {
                 usual += reflected.maxCoeff() / first_launches;
             });
-        usual_ = usual;
+        // Of the paler a scene is, the more of the light is in late bounces: followed further, they
+        // tell its level without chance.
+        usual_ = usual * std::max(least_absorbed, 1.0 - sent_back / reflecting);
         Random random(settings_.seed, 1);
         double launches = 0.0, landings = 0.0;
         const double wanted = pilot * settings_.landings;

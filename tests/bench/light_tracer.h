@@ -59,7 +59,7 @@ class LightTracer {
     TracerSettings settings_;
     TracedScene traced_;
     Emission emission_;
-    double usual_ = 0.0;      // light reflected of a launch: what bounces carry, about [W]
+    double usual_ = 0.0;      // light that goes on without chance, about what a launch reflects [W]
     double particles_ = 0.0;  // of a batch
     std::unique_ptr<Bins> bins_;
     std::vector<Batch> batches_;  // halves of every batch follow one another

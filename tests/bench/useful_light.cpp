@@ -234,9 +234,11 @@ void learn_useful_light(const TracedScene& traced, Emission& emission, std::uint
         }
         found.insert(found.end(), more.begin(), more.end());
         const std::vector<UsefulLight> useful = weigh(traced, found);
-        emission.learn(useful);
         const double before = std::exchange(told, effective_count(traced, emission, useful));
-        if (told > plenty || (told > found_enough && told < gain * before)) break;
+        // Where plain launches tell enough at once, a guide would only make their light uneven.
+        const bool plain_will_do = round == 0 && told > found_enough;
+        emission.learn(useful, !plain_will_do);
+        if (plain_will_do || told > plenty || (told > found_enough && told < gain * before)) break;
         thin(found, useful, random);
     }
 }
