@@ -47,7 +47,7 @@ Scene unit_cube(MaterialIndex material) {
     return room.scene;
 }
 
-LightTracer traced(const Scene& scene, double landings = 1e5, std::size_t searches = 800) {
+LightTracer traced(const Scene& scene, double landings = 5e4, std::size_t searches = 800) {
     return {scene, {landings, 200.0, searches, 1}};
 }
 
@@ -100,7 +100,7 @@ TEST(LightTracer, BeamThroughAHoleCarriesRadianceTimesAreaTimesSolidAngle) {
     }
     room.add(black_lamp, (0.5 + far) * z - 0.5 * wide * (x + y), wide * y, wide * x);
     const double exact = std::pow(wide * hole / far, 2) / std::numbers::pi;
-    const LightTracer truth = traced(room.scene, 5e4, 32000);
+    const LightTracer truth = traced(room.scene, 2e4, 12000);
     expect_arriving(truth, floor, exact);  // cosines are 1 within 2 (0.03 / 4)² = 1e-4
 }
 
