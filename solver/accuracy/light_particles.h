@@ -55,7 +55,7 @@ class LightParticles {
     };
     struct Flight;
     struct Tracer;
-    /// Round all that sends light back, as seen from a point: half its angle's sine; 1: all round.
+    /// Round all that sends light back, as seen from a point.
     struct Cone {
         RayPoint axis;
         float cosine = 0.0f;  // of half its angle; 0: the whole half space
