@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight {
+namespace patchlight::light_tracer_test {
 
 namespace {
 
@@ -124,4 +124,4 @@ TEST(LightTracer, WhatIsCoveredOrBehindTakesNoLight) {
     EXPECT_NEAR(area, 0.75, 0.02);  // by 4096 and more points: 1 % and less
 }
 
-}  // namespace patchlight
+}  // namespace patchlight::light_tracer_test

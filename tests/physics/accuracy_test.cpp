@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::accuracy_test {
 namespace {
 
 SolveSettings to(double accuracy) {
@@ -253,4 +253,4 @@ TEST_P(EveryEngineAndMethod, SaysHowWrongAHandSetSolveIs) {
 INSTANTIATE_TEST_SUITE_P(EveryWay, EveryEngineAndMethod, testing::ValuesIn(every_way()), way_name);
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::accuracy_test

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::closed_scene_test {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST_P(ClosedScene, AnyNumberOfThreadsGivesTheSameBytes) {
 
 INSTANTIATE_TEST_SUITE_P(EveryWay, ClosedScene, testing::ValuesIn(every_way()), way_name);
 
-}  // namespace patchlight
+}  // namespace patchlight::closed_scene_test

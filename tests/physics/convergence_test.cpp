@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::convergence_test {
 
 namespace {
 
@@ -122,4 +122,4 @@ TEST(Convergence, TrueErrorFallsByTheFactorOfGaussSeidelAndStaysUnderTheBound) {
     for (std::size_t k = 1; k < errors.size(); ++k) EXPECT_LT(errors[k], 0.7 * errors[k - 1]);
 }
 
-}  // namespace patchlight
+}  // namespace patchlight::convergence_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::covered_area_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
@@ -91,4 +91,4 @@ TEST(CoveredArea, OfAHeapOfPolygonsIsRightAndCostsLittle) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::covered_area_test

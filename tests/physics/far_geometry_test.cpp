@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::far_geometry_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -108,4 +108,4 @@ TEST_F(FarGeometry, ARoomOfMillimetresOrKilometresIsTheSame) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::far_geometry_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::findings_test {
 namespace {
 
 // Boxes of random rooms stand on common ground, and some hang in mid-air, perhaps just above
@@ -38,4 +38,4 @@ TEST(Findings, TellEveryWallThatStandsOffTheOthers) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::findings_test

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::furnace_test {
 
 namespace {
 
@@ -133,4 +133,4 @@ TEST_P(Furnace, HoldsOnBothSidesOfAPartition) {
 
 INSTANTIATE_TEST_SUITE_P(EveryWay, Furnace, testing::ValuesIn(every_way()), way_name);
 
-}  // namespace patchlight
+}  // namespace patchlight::furnace_test

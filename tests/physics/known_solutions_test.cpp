@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::known_solutions_test {
 
 namespace {
 
@@ -202,4 +202,4 @@ TEST(Penumbra, MeetsTheClippedLightAtSensorsAndOnPatches) {
     }
 }
 
-}  // namespace patchlight
+}  // namespace patchlight::known_solutions_test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::shooting_test {
 
 namespace {
 
@@ -232,4 +232,4 @@ TEST(ShootingPictures, AloneShowTheAmbientTerm) {
     EXPECT_GT(shown_mean(shown.display), 1.3 * shown_mean(plain.display));
 }
 
-}  // namespace patchlight
+}  // namespace patchlight::shooting_test

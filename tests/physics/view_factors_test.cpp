@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::view_factors_test {
 
 namespace {
 
@@ -141,4 +141,4 @@ TEST(ViewFactors, OfTheUnitCubeMeetTheMatrix) {
     }
 }
 
-}  // namespace patchlight
+}  // namespace patchlight::view_factors_test

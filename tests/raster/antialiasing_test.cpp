@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight::raster {
+namespace patchlight::raster::antialiasing_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -99,4 +99,4 @@ TEST(Antialiasing, ThinThingsKeepTheirLight) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::antialiasing_test

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace patchlight::raster {
+namespace patchlight::raster::camera_test {
 namespace {
 
 using Eigen::AlignedBox3d;
@@ -181,4 +181,4 @@ TEST(Framing, FillsMostOfThePicture) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::camera_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace patchlight::raster {
+namespace patchlight::raster::clip_test {
 namespace {
 
 using Eigen::Array3d;
@@ -96,4 +96,4 @@ TEST(Clip, NeighboursGetTheSameCornersOnTheirCommonEdge) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::clip_test

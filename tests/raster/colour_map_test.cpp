@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::raster {
+namespace patchlight::raster::colour_map_test {
 namespace {
 
 /// CIE 1976 L*a*b* of a linear sRGB colour, seen under D65: an independent measure of what looks
@@ -74,4 +74,4 @@ TEST(ColourMap, BeyondItsEndsItStaysAtThem) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::colour_map_test

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace patchlight::raster {
+namespace patchlight::raster::image_file_test {
 namespace {
 
 /// What another program reads from a file.
@@ -104,4 +104,4 @@ TEST(ImageFile, RefusesAnImageWhoseSizeDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::image_file_test

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace patchlight::raster {
+namespace patchlight::raster::image_module_test {
 namespace {
 
 // The module is looked for once per process, so each case has a process of its own.
@@ -95,4 +95,4 @@ TEST_F(ImageModule, ThatIsAnotherLibraryIsRefused) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::image_module_test

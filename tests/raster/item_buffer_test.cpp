@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-namespace patchlight::raster {
+namespace patchlight::raster::item_buffer_test {
 namespace {
 
 constexpr int size = 64;  // [pixels]
@@ -106,4 +106,4 @@ TEST(ItemBuffer, RefusesASizeItCannotCountExactly) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::item_buffer_test

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace patchlight::raster {
+namespace patchlight::raster::quantity_image_test {
 namespace {
 
 /// A square from (-1, -1) to (1, 1) at z = 0, seen from above in parallel so that it takes the
@@ -114,4 +114,4 @@ TEST(ColourScale, TheSmallestPictureHasRoom) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::quantity_image_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace patchlight::raster {
+namespace patchlight::raster::render_test {
 namespace {
 
 using Eigen::Array3d;
@@ -214,4 +214,4 @@ TEST(Render, RefusesAPictureItCannotDrawExactly) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::render_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::raster {
+namespace patchlight::raster::scale_ticks_test {
 namespace {
 
 std::string labels(double least, double most, int most_ticks) {
@@ -48,4 +48,4 @@ TEST(ScaleTicks, RoundNumbersAreNotBelow) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::scale_ticks_test

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-namespace patchlight::raster {
+namespace patchlight::raster::scan_convert_test {
 namespace {
 
 /// How often each sample of a square picture is covered.
@@ -160,4 +160,4 @@ TEST(SamplePattern, NoTwoSamplesShareARowOrAColumn) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::scan_convert_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace patchlight::raster {
+namespace patchlight::raster::stroke_font_test {
 namespace {
 
 Image paper(int width, int height) {
@@ -67,4 +67,4 @@ TEST(StrokeFont, WhatLiesBeyondTheImageIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::stroke_font_test

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchlight::raster {
+namespace patchlight::raster::tone_test {
 namespace {
 
 int shown(float light, double exposure = 0.0) {
@@ -50,4 +50,4 @@ TEST(Tone, LightThatIsNoneShowsBlack) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::tone_test

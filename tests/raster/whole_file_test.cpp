@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-namespace patchlight::raster {
+namespace patchlight::raster::whole_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST_F(AWholeFile, NamesWhatCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::whole_file_test

@@ -11,7 +11,7 @@
 #include <system_error>
 #include <thread>
 
-namespace patchlight::raster {
+namespace patchlight::raster::write_whole_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,4 +140,4 @@ TEST_F(WriteWhole, ReadersAndWritersAtOnceNeverSeeHalfAFile) {
 }
 
 }  // namespace
-}  // namespace patchlight::raster
+}  // namespace patchlight::raster::write_whole_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::bad_inputs_test {
 namespace {
 
 /// What a scene is to be answered with by every way in.
@@ -192,4 +192,4 @@ TEST(BadInputs, SolveSettings) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::bad_inputs_test

@@ -2,7 +2,7 @@
 
 #include "tests/server/scene_texts.h"
 
-namespace patchlight::server {
+namespace patchlight::server::cameras_json_test {
 namespace {
 
 const std::string eye_and_target = R"("eye": [0,0,3], "look_at": [0,0,0])";
@@ -104,4 +104,4 @@ TEST(CamerasJson, TheEchoReadsBackAsTheSame) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::cameras_json_test

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
-namespace patchlight::server {
+namespace patchlight::server::command_line_test {
 namespace {
 
 const std::string& box = small_box;
@@ -236,4 +236,4 @@ TEST(CommandLine, NothingIsLeftBesideTheOutputs) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::command_line_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::csv_table_test {
 namespace {
 
 std::string table_of(const std::function<void(CsvTable&)>& fill) {
@@ -63,4 +63,4 @@ TEST(CsvTable, ALongTableIsHandedOnInPieces) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::csv_table_test

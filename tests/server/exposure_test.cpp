@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::exposure_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // [stops]
@@ -43,4 +43,4 @@ TEST(Exposure, IsZeroWhereNothingReflects) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::exposure_test

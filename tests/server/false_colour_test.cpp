@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-namespace patchlight::server {
+namespace patchlight::server::false_colour_test {
 namespace {
 
 TEST(FalseColour, RangesAreTwoNumbersWithAColon) {
@@ -110,4 +110,4 @@ TEST(FalseColour, WhatIsWrongIsTold) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::false_colour_test

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::file_objects_test {
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -175,4 +175,4 @@ TEST(FileObjects, AGroupMayNotTakeTheNameOfAnObject) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::file_objects_test

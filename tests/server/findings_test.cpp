@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace patchlight::server {
+namespace patchlight::server::findings_test {
 namespace {
 
 using nlohmann::json;
@@ -64,4 +64,4 @@ TEST(Findings, StandInCheckSummaryStatsAndFactors) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::findings_test

@@ -1,6 +1,6 @@
 #include "tests/server/scene_texts.h"
 
-namespace patchlight::server {
+namespace patchlight::server::flux_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -123,4 +123,4 @@ TEST(Flux, OnWhatIsWhollyCoveredIsAnError) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::flux_test

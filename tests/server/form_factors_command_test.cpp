@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-namespace patchlight::server {
+namespace patchlight::server::form_factors_command_test {
 namespace {
 
 constexpr double printed = 1e-6;  // factors are printed as floats, sums of some of them compared
@@ -279,4 +279,4 @@ TEST(FormFactorsCommand, HelpShowsWhatHasAnEffect) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::form_factors_command_test

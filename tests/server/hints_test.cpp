@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-namespace patchlight::server {
+namespace patchlight::server::hints_test {
 namespace {
 
 void expect_material_hint(const std::string& members, const std::string& pointer,
@@ -167,4 +167,4 @@ TEST(Doubts, AnAngleOfViewInRadiansIsAFinding) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::hints_test

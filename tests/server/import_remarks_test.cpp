@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::import_remarks_test {
 namespace {
 
 TEST(ImportRemarks, OneFindingOfEachKindNamesAllMaterials) {
@@ -45,4 +45,4 @@ TEST(ImportRemarks, AMaterialThatIsFineIsNotRemarkedOn) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::import_remarks_test

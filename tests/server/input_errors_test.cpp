@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::input_errors_test {
 namespace {
 
 std::vector<std::string> pointers_of(const std::string& scene) {
@@ -78,4 +78,4 @@ TEST(FaultList, KeepsWhatIsThrownAndNothingTwice) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::input_errors_test

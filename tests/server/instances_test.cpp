@@ -3,7 +3,7 @@
 #include "tests/server/run_program.h"
 #include "tests/server/scene_texts.h"
 
-namespace patchlight::server {
+namespace patchlight::server::instances_test {
 namespace {
 
 const std::string tile = R"("polygon": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]])";
@@ -144,4 +144,4 @@ TEST(Instances, UnusedDefinitionsAreReadAsWell) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::instances_test

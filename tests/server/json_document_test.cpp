@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace patchlight::server {
+namespace patchlight::server::json_document_test {
 namespace {
 
 struct Refusal {
@@ -118,4 +118,4 @@ TEST(JsonDocument, WhatIsReadIsWhatWasWritten) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::json_document_test

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::materials_json_test {
 namespace {
 
 std::string scene_with_white(const std::string& material) {
@@ -75,4 +75,4 @@ TEST(MaterialsJson, NamesAreNeitherEmptyNorLongNorUnprintable) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::materials_json_test

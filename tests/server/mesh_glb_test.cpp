@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::mesh_glb_test {
 namespace {
 
 struct SolvedBox {
@@ -134,4 +134,4 @@ TEST(MeshGlb, AnotherEndingIsRefused) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::mesh_glb_test

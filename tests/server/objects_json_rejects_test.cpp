@@ -1,6 +1,6 @@
 #include "tests/server/scene_texts.h"
 
-namespace patchlight::server {
+namespace patchlight::server::objects_json_rejects_test {
 namespace {
 
 const std::string unit_square = R"("polygon": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]])";
@@ -134,4 +134,4 @@ TEST(ObjectsJson, NamesAreGivenOnce) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::objects_json_rejects_test

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::objects_json_test {
 namespace {
 
 const std::string unit_square = R"("polygon": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]])";
@@ -158,4 +158,4 @@ TEST(ObjectsJson, OnePolygonWithoutAreaIsAFinding) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::objects_json_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace patchlight::server {
+namespace patchlight::server::odd_scenes_test {
 namespace {
 
 constexpr double rounding = 1e-6;         // of factors, which are kept in single precision
@@ -149,4 +149,4 @@ TEST(OddScenes, SensorsInCornersWallsAndFarAway) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::odd_scenes_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::output_files_test {
 namespace {
 
 TEST(OutputFiles, AFileInADirectoryThatIsThereCanBeMade) {
@@ -26,4 +26,4 @@ TEST(OutputFiles, TwoOutputsAreTwoFiles) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::output_files_test

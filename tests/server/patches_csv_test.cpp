@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::patches_csv_test {
 namespace {
 
 TEST(PatchesCsv, EveryPatchIsARowByItsIndex) {
@@ -23,4 +23,4 @@ TEST(PatchesCsv, EveryPatchIsARowByItsIndex) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::patches_csv_test

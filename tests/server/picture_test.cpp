@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::picture_test {
 namespace {
 
 TEST(Picture, TheFormatIsToldByTheEndOfTheName) {
@@ -40,4 +40,4 @@ TEST(Picture, PfmNeedsNoCodec) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::picture_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <string>
 
-namespace patchlight::server {
+namespace patchlight::server::quick_numbers_test {
 namespace {
 
 std::string estimate(double number) {
@@ -50,4 +50,4 @@ TEST(QuickNumbers, FloatsReadBackAsTheSame) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::quick_numbers_test

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-namespace patchlight::server {
+namespace patchlight::server::result_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -153,4 +153,4 @@ TEST(ResultHash, DependsOnResultsAndVertexRadiosities) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::result_json_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::result_text_test {
 namespace {
 
 TEST(ResultText, ListsOfNumbersStandOnOneLine) {
@@ -30,4 +30,4 @@ TEST(ResultText, ReadsBackAsTheSame) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::result_text_test

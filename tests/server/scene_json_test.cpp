@@ -2,7 +2,7 @@
 
 #include "server/json_document.h"
 
-namespace patchlight::server {
+namespace patchlight::server::scene_json_test {
 namespace {
 
 TEST(SceneJson, TheTopIsAnObjectWithKnownKeys) {
@@ -50,4 +50,4 @@ TEST(SceneJson, ADuplicateKeyIsRefusedBeforeTheSceneIsRead) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::scene_json_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::sensor_summary_test {
 namespace {
 
 TEST(SensorSummary, PointsAndGridsHaveALineEach) {
@@ -42,4 +42,4 @@ TEST(SensorSummary, InTheDarkThereIsNoUniformity) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::sensor_summary_test

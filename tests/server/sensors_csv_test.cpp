@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::sensors_csv_test {
 namespace {
 
 std::string sensors_csv(const Solution& solution) {
@@ -34,4 +34,4 @@ TEST(SensorsCsv, WhatWasNotGatheredIsNotThere) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::sensors_csv_test

@@ -1,6 +1,6 @@
 #include "tests/server/scene_texts.h"
 
-namespace patchlight::server {
+namespace patchlight::server::sensors_json_test {
 namespace {
 
 void expect_sensor_rejected(const std::string& members, const std::string& pointer,
@@ -91,4 +91,4 @@ TEST(SensorsJson, NamesAreGivenOnce) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::sensors_json_test

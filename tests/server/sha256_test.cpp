@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::sha256_test {
 namespace {
 
 // NIST, "Secure Hash Standard", FIPS 180-4, examples.
@@ -24,4 +24,4 @@ TEST(Sha256, NumbersAreLittleEndian) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::sha256_test

@@ -2,7 +2,7 @@
 
 #include "tests/server/scene_texts.h"
 
-namespace patchlight::server {
+namespace patchlight::server::solve_json_test {
 namespace {
 
 SolveSettings settings_of(const std::string& block) {
@@ -84,4 +84,4 @@ TEST(SolveJson, TheEchoReadsBackAsTheSame) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::solve_json_test

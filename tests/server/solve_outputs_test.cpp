@@ -8,7 +8,7 @@
 
 #include <system_error>
 
-namespace patchlight::server {
+namespace patchlight::server::solve_outputs_test {
 namespace {
 
 SolveOutputs with(std::optional<std::string> SolveOutputs::*output, const std::string& path) {
@@ -51,4 +51,4 @@ TEST(SolveOutputs, WhatCannotBeWrittenDoesNotKeepTheOthersFromIt) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::solve_outputs_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace patchlight::server {
+namespace patchlight::server::solve_tables_test {
 namespace {
 
 std::ptrdiff_t line_count(const std::string& text) {
@@ -59,4 +59,4 @@ TEST(SolveTables, AnInterruptedSolveWritesWhatThereIs) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::solve_tables_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace patchlight::server {
+namespace patchlight::server::textures_test {
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -98,4 +98,4 @@ TEST(Textures, ThatCannotBeReadAreToldOfWithTheCause) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::textures_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::utf8_text_test {
 namespace {
 
 TEST(Utf8Text, StaysAsItIs) {
@@ -24,4 +24,4 @@ TEST(Utf8Text, OtherBytesBecomeQuestionMarks) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::utf8_text_test

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace patchlight::server {
+namespace patchlight::server::view_factors_test {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -136,4 +136,4 @@ TEST(ViewFactorsFile, ManyRowsOutgrowTheBuffer) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::view_factors_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::wording_test {
 namespace {
 
 TEST(Wording, TheNearestNameIsSuggested) {
@@ -34,4 +34,4 @@ TEST(Wording, NumbersReadBackAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::wording_test

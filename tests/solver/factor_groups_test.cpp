@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace patchlight {
+namespace patchlight::factor_groups_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -114,4 +114,4 @@ TEST(FactorGroups, OfPatchesAreThePatchesWithoutNames) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::factor_groups_test

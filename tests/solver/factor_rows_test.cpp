@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace patchlight {
+namespace patchlight::factor_rows_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -192,4 +192,4 @@ TEST(EstimateDensity, SamplesAllOverTheMesh) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::factor_rows_test

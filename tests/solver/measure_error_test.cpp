@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::measure_error_test {
 namespace {
 
 TEST(MeasureError, WithoutItASolveShowsTheSameAndSaysNothingOfItsError) {
@@ -29,4 +29,4 @@ TEST(MeasureError, WithoutItASolveShowsTheSameAndSaysNothingOfItsError) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::measure_error_test

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::solve_plan_test {
 namespace {
 
 std::string refused_at(const std::function<void(SolveSettings&)>& change) {
@@ -223,4 +223,4 @@ TEST(SolveScene, RefusesASceneWithNothingInIt) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::solve_plan_test

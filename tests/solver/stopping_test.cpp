@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::stopping_test {
 namespace {
 
 /// Stops the work at the `limit`th word from the stage, and counts what is said after that.
@@ -80,4 +80,4 @@ TEST(Stopping, LeavesTimeForAFewSensors) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::stopping_test

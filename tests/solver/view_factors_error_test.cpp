@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::view_factors_error_test {
 namespace {
 
 std::string engine_name(const testing::TestParamInfo<Engine>& each) {
@@ -132,4 +132,4 @@ TEST(ViewFactorErrors, AreUpperBoundsOfTheScatterAtDefaultRays) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::view_factors_error_test

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace patchlight {
+namespace patchlight::view_factors_stop_test {
 namespace {
 
 SolveSettings quick() {
@@ -89,4 +89,4 @@ TEST(ViewFactorsProgress, EndsAtTheTimeLimit) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::view_factors_stop_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::view_factors_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -219,4 +219,4 @@ TEST(ViewFactors, OfNothingAreRefused) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::view_factors_test

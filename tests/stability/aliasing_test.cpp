@@ -9,7 +9,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace patchlight::stability {
+namespace patchlight::stability::aliasing_test {
 namespace {
 
 constexpr double asked = 0.02;  // relative: the accuracy a solve has if nothing is said
@@ -136,4 +136,4 @@ TEST(DeltaFactors, OfAFaceAreItsFormFactor) {
 }
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::aliasing_test

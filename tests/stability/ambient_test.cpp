@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::ambient_test {
 namespace {
 
 /// The ambient term is shooting's alone.
@@ -66,4 +66,4 @@ TEST_P(Ambient, StaysRightWhereAlmostNothingIsAbsorbed) {
 INSTANTIATE_TEST_SUITE_P(Each, Ambient, testing::ValuesIn(shooting_columns()), column_name);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::ambient_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::convergence_test {
 namespace {
 
 class Iterations : public EveryColumn {};
@@ -94,4 +94,4 @@ TEST_P(Iterations, ABlackRoomIsLitAndStaysBlack) {
 PATCHLIGHT_EVERY_COLUMN(Iterations);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::convergence_test

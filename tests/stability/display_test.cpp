@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::display_test {
 namespace {
 
 constexpr double asked = 0.02;  // the accuracy a solve has if nothing is said
@@ -141,4 +141,4 @@ TEST_P(Display, CarriesTheFluxOfItsPatches) {
 PATCHLIGHT_EVERY_COLUMN(Display);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::display_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace patchlight::stability {
+namespace patchlight::stability::furnace_table_test {
 namespace {
 
 constexpr double patch_size = 0.5;
@@ -120,4 +120,4 @@ TEST(Furnaces, AreSolvedToTheirBoundWhereTheChangeBetweenSweepsLies) {
 }
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::furnace_table_test

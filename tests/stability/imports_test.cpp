@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::imports_test {
 namespace {
 
 using server::expect_file_rejected;
@@ -60,4 +60,4 @@ TEST(Imports, KdOfZeroIsBlackUnlessATexturePaints) {
 }
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::imports_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::leaks_test {
 namespace {
 
 class Leaks : public EveryColumn {};
@@ -94,4 +94,4 @@ TEST_P(Leaks, TheFloorRoundABoxShowsNoShadowOfItsHiddenPart) {
 PATCHLIGHT_EVERY_COLUMN(Leaks);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::leaks_test

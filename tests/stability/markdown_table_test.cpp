@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::stability {
+namespace patchlight::stability::markdown_table_test {
 namespace {
 
 const MarkdownTable table{
@@ -47,4 +47,4 @@ TEST(MarkdownTable, DisagreesWhereAVerdictAFigureOrARowDoes) {
 }
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::markdown_table_test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::odd_geometry_test {
 namespace {
 
 constexpr double asked = 0.02;        // relative: the accuracy a solve has if nothing is said
@@ -98,4 +98,4 @@ TEST_P(OddGeometry, MorePatchesThanMemoryHoldsAreRefusedBeforehand) {
 PATCHLIGHT_EVERY_COLUMN(OddGeometry);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::odd_geometry_test

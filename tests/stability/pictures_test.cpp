@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace patchlight::stability {
+namespace patchlight::stability::pictures_test {
 namespace {
 
 /// A white room with a white block seen from within: every sample of every pixel is white, if none
@@ -40,4 +40,4 @@ TEST(Pictures, AreEncodedOnceAndHoldWhatIsBright) {
 }
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::pictures_test

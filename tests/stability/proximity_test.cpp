@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::proximity_test {
 namespace {
 
 constexpr double asked = 0.02;  // relative: the accuracy a solve has if nothing is said
@@ -89,4 +89,4 @@ TEST_P(Proximity, AGapFarSmallerThanTheSceneIsNotClippedAway) {
 PATCHLIGHT_EVERY_COLUMN(Proximity);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::proximity_test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::reciprocity_test {
 namespace {
 
 constexpr double asked = 0.02;  // relative: the accuracy a solve has if nothing is said
@@ -107,4 +107,4 @@ TEST_P(Reciprocity, AFlatSurfaceDoesNotSeeItself) {
 PATCHLIGHT_EVERY_COLUMN(Reciprocity);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::reciprocity_test

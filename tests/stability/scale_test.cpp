@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight::stability {
+namespace patchlight::stability::scale_test {
 namespace {
 
 class Scale : public EveryColumn {};
@@ -68,4 +68,4 @@ TEST_P(Scale, TheCornellBoxIsTheSameAtAnySizePlaceAndAngle) {
 PATCHLIGHT_EVERY_COLUMN(Scale);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::scale_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight::stability {
+namespace patchlight::stability::singular_edges_test {
 namespace {
 
 constexpr double asked = 0.02;  // relative: the accuracy a solve has if nothing is said
@@ -108,4 +108,4 @@ TEST_P(SingularEdges, ConcaveAndWarpedPolygonsKeepTheFurnaceGoing) {
 PATCHLIGHT_EVERY_COLUMN(SingularEdges);
 
 }  // namespace
-}  // namespace patchlight::stability
+}  // namespace patchlight::stability::singular_edges_test

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace patchlight::walls {
+namespace patchlight::walls::walls_test {
 namespace {
 
 std::string read(const std::filesystem::path& path) {
@@ -121,4 +121,4 @@ TEST(Walls, IncludesStartAtTheRootHoweverTheyAreWritten) {
 }
 
 }  // namespace
-}  // namespace patchlight::walls
+}  // namespace patchlight::walls::walls_test

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace patchlight::server {
+namespace patchlight::server::chart_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST(ChartCommand, ASceneWithoutLightIsRefused) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::chart_command_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace patchlight::server {
+namespace patchlight::server::chart_documents_test {
 namespace {
 
 const ChartOrigin origin{"a <b> & \"c\".json", "patchlight chart 'a <b>'", "Some CPU", 8, "1.2.3"};
@@ -125,4 +125,4 @@ TEST(ReportHtml, WithoutAReferenceThereIsAPageToo) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::chart_documents_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::chart_selection_test {
 namespace {
 
 TEST(MarkPoints, SortsThemAndTellsFrontAndFloor) {
@@ -63,4 +63,4 @@ TEST(ChartSelection, AutomaticIsHeldAgainstWhatErrsNoMore) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::chart_selection_test

@@ -10,7 +10,7 @@
 
 #include <set>
 
-namespace patchlight::server {
+namespace patchlight::server::chart_truth_test {
 namespace {
 
 /// The small box with changes merged in (RFC 7396).
@@ -108,4 +108,4 @@ TEST(ChartMethods, MeshesThatCannotBeCoarserAreNotChartedTwice) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::chart_truth_test

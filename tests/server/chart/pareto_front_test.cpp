@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::pareto_front_test {
 namespace {
 
 using Front = std::vector<std::size_t>;
@@ -30,4 +30,4 @@ TEST(ParetoFront, ErrorsOfZeroEndIt) {
 TEST(ParetoFront, NothingHasNone) { EXPECT_TRUE(pareto_front({}).empty()); }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::pareto_front_test

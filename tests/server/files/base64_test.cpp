@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::base64_test {
 namespace {
 
 TEST(Base64, TheExamplesOfTheStandardAreDecoded) {
@@ -23,4 +23,4 @@ TEST(Base64, AnythingElseIsRefused) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::base64_test

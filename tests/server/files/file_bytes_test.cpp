@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-namespace patchlight::server {
+namespace patchlight::server::file_bytes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,4 +57,4 @@ TEST(FileBytes, AFileBesideLiesInTheDirectoryOrBelow) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::file_bytes_test

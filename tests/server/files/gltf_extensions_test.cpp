@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::gltf_extensions_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -193,4 +193,4 @@ TEST(GltfCameras, AreThoseOfASceneThatGivesNone) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::gltf_extensions_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::gltf_file_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -202,4 +202,4 @@ TEST(GltfFile, BuffersMayLieBesideTheFile) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::gltf_file_test

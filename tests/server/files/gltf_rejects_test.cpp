@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-namespace patchlight::server {
+namespace patchlight::server::gltf_rejects_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -210,4 +210,4 @@ TEST(GltfRejects, AccessorsThatAskForMemoryOutOfNothing) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::gltf_rejects_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::known_formats_test {
 namespace {
 
 void expect_told(const std::string& told, const std::string& format, const std::string& of) {
@@ -96,4 +96,4 @@ TEST(KnownFormats, JsonOfOtherProgramsIsToldApart) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::known_formats_test

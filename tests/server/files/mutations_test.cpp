@@ -8,7 +8,7 @@
 
 #include <random>
 
-namespace patchlight::server {
+namespace patchlight::server::mutations_test {
 namespace {
 
 /// Bytes with something changed, left out, put in or cut off.
@@ -122,4 +122,4 @@ TEST(Mutations, OfStl) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::mutations_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::obj_file_test {
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -201,4 +201,4 @@ TEST(ObjFile, MistakesInAnMtlFileAreToldWithItsLine) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::obj_file_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace patchlight::server {
+namespace patchlight::server::obj_names_test {
 namespace {
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -107,4 +107,4 @@ TEST(MtlTextures, OptionsStandBeforeTheNameWhichMayHaveBlanks) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::obj_names_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace patchlight::server {
+namespace patchlight::server::stl_file_test {
 namespace {
 
 const std::string facet =
@@ -128,4 +128,4 @@ TEST(StlFile, AFacetMayHaveMoreThanThreeCorners) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::stl_file_test

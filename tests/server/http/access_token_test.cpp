@@ -8,7 +8,7 @@
 
 #include <cstdlib>
 
-namespace patchlight::server {
+namespace patchlight::server::access_token_test {
 namespace {
 
 const std::string token = "0123456789abcdef";
@@ -57,4 +57,4 @@ TEST(AccessToken, IsMadeOfChance) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::access_token_test

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace patchlight::server {
+namespace patchlight::server::bad_scenes_test {
 namespace {
 
 class BadScenes : public testing::Test {
@@ -134,4 +134,4 @@ TEST_F(BadScenes, ASceneWithoutLightIsDark) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::bad_scenes_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::base64_test {
 namespace {
 
 TEST(Base64, GivesTheTextsOfItsStandard) {  // RFC 4648, section 10
@@ -18,4 +18,4 @@ TEST(Base64, GivesTheTextsOfItsStandard) {  // RFC 4648, section 10
 TEST(Base64, TakesAnyBytes) { EXPECT_EQ(base64({"\xff\xfe\x00\x80", 4}), "//4AgA=="); }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::base64_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace patchlight::server {
+namespace patchlight::server::chunk_check_test {
 namespace {
 
 constexpr std::string_view body = "3;name=value\r\nabc\r\n0A\r\n0123456789\r\n0\r\nX: y\r\n\r\n";
@@ -39,4 +39,4 @@ TEST(ChunkCheck, RefusesExtensionsAndTrailersWithoutEnd) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::chunk_check_test

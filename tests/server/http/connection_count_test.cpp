@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::connection_count_test {
 namespace {
 
 TEST(ConnectionCount, OneAddressCannotTakeThemAll) {
@@ -34,4 +34,4 @@ TEST(ConnectionCount, LoopbackHasNoLimitOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::connection_count_test

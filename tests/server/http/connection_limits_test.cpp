@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::connection_limits_test {
 namespace {
 
 const std::string begun_post = "POST /echo HTTP/1.1\r\nHost: localhost\r\n";
@@ -169,4 +169,4 @@ TEST(ConnectionLimits, StoppingDoesNotWaitForIdleConnections) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::connection_limits_test

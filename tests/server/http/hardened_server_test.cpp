@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace patchlight::server {
+namespace patchlight::server::hardened_server_test {
 namespace {
 
 const std::string host = "Host: localhost\r\n";
@@ -253,4 +253,4 @@ TEST(HardenedServer, SeesThatItsPeerHasGone) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::hardened_server_test

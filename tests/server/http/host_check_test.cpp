@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::host_check_test {
 namespace {
 
 TEST(HostCheck, OwnNamesAndAddressesPass) {
@@ -31,4 +31,4 @@ TEST(HostCheck, AnOriginIsOursIfItIsTheHost) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::host_check_test

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::malformed_requests_test {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -176,4 +176,4 @@ TEST(MalformedRequests, OversizedBodiesCostNoMemory) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::malformed_requests_test

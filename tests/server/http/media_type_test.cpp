@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace patchlight::server {
+namespace patchlight::server::media_type_test {
 namespace {
 
 const std::array<std::string, 3> offered{"image/png", "image/x-exr", "application/json"};
@@ -46,4 +46,4 @@ TEST(MediaType, ParametersAndCapitalsDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::media_type_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::problem_test {
 namespace {
 
 nlohmann::json document_of(const HttpAnswer& answer) {
@@ -35,4 +35,4 @@ TEST(Problem, AsksToComeBackAfterWholeSeconds) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::problem_test

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::render_queue_test {
 namespace {
 
 bool never() { return false; }
@@ -75,4 +75,4 @@ TEST(RenderQueue, NeverRunsMoreAtOnceThanItMay) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::render_queue_test

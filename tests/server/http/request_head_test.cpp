@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight::server {
+namespace patchlight::server::request_head_test {
 namespace {
 
 RequestHead head_of(const std::string& lines) {
@@ -57,4 +57,4 @@ TEST(RequestHead, TruncatedAnywhereItIsRefused) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::request_head_test

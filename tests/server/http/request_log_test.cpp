@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace patchlight::server {
+namespace patchlight::server::request_log_test {
 namespace {
 
 std::string logged(bool is_quiet, const HttpRequest& request) {
@@ -54,4 +54,4 @@ TEST(RequestLog, FailuresAreWrittenEvenIfItIsQuiet) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::request_log_test

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::serve_command_test {
 namespace {
 
 /// The program `patchlight serve`, with its standard error in a file.
@@ -202,4 +202,4 @@ TEST(ServeCommand, RefusesOptionsThatWouldNotDo) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::serve_command_test

@@ -11,7 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::service_test {
 namespace {
 
 const std::string json_body = "Content-Type: application/json\r\n";
@@ -227,4 +227,4 @@ TEST(Service, DrainsAndThenCancels) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::service_test

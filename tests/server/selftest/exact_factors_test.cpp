@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace patchlight::server {
+namespace patchlight::server::exact_factors_test {
 namespace {
 
 constexpr double printed = 5e-15;  // sources print 15 digits and more
@@ -50,4 +50,4 @@ TEST(ExactFactors, TheFacesOfACubeShareTheWholeSolidAngle) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::exact_factors_test

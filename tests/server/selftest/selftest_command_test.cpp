@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <sstream>
 
-namespace patchlight::server {
+namespace patchlight::server::selftest_command_test {
 namespace {
 
 class SelftestCommand : public testing::TestWithParam<std::string> {};
@@ -66,4 +66,4 @@ TEST(Selftest, InterruptedItGivesNoVerdictAndNoFile) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::selftest_command_test

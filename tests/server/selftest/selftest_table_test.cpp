@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::selftest_table_test {
 namespace {
 
 KnownAnswer answer(double result, double exact, double bound) {
@@ -92,4 +92,4 @@ TEST(SelftestTable, TheWorstIsTheOneNearestToItsBound) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::selftest_table_test

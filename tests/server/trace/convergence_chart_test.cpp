@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::convergence_chart_test {
 namespace {
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -56,4 +56,4 @@ TEST(ConvergenceChart, TheCsvLeavesUnshotEmptyWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::convergence_chart_test

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace patchlight::server {
+namespace patchlight::server::step_pictures_test {
 namespace {
 
 TEST(StepPictures, StepsAreShownInOneTwoFive) {
@@ -39,4 +39,4 @@ TEST(StepPictures, StepsThatAreNotToBeShownCostNoPicture) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::step_pictures_test

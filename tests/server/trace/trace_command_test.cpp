@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-namespace patchlight::server {
+namespace patchlight::server::trace_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ TEST(Trace, InterruptedItLeavesWhatWasDoneWithItsPage) {
 }
 
 }  // namespace
-}  // namespace patchlight::server
+}  // namespace patchlight::server::trace_command_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace patchlight {
+namespace patchlight::check_points_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
@@ -112,4 +112,4 @@ TEST(CheckDisplay, NoiseOfItsOwnHasNoShareInTheMean) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::check_points_test

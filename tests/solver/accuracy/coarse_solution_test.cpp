@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::coarse_solution_test {
 namespace {
 
 constexpr double rho = 0.5;  // of all walls
@@ -96,4 +96,4 @@ TEST(CoarseSolution, WithoutAMatrixTellsHowMuchChangedAlone) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::coarse_solution_test

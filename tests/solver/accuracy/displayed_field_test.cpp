@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace patchlight {
+namespace patchlight::displayed_field_test {
 namespace {
 
 constexpr double rounding = 1e-10;  // of weights that sum to 1, times values of order 10
@@ -93,4 +93,4 @@ TEST(DisplayedField, OfASurfaceThatIsCoveredNothingIsShown) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::displayed_field_test

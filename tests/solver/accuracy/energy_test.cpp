@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::energy_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -96,4 +96,4 @@ TEST(MeasureObjects, GivesAreaMeansAndTheRangeOfTheField) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::energy_test

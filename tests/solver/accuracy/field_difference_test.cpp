@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::field_difference_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -106,4 +106,4 @@ TEST(RelativeDifference, AtSensorsTheWorstCountsRelativeToTheBrightest) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::field_difference_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::next_aim_test {
 namespace {
 
 constexpr double target = 0.01;
@@ -112,4 +112,4 @@ TEST(NextAim, ReadsAnewWhereRaysReadTheCoarseSolution) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::next_aim_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-namespace patchlight {
+namespace patchlight::curved_mean_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -93,4 +93,4 @@ TEST(CurvedMean, TakesTheMeanWhereNoRowIsKnown) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::curved_mean_test

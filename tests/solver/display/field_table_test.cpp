@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::field_table_test {
 namespace {
 
 constexpr double rounding = 1e-5;  // of single precision
@@ -105,4 +105,4 @@ TEST(FieldTable, AddsLinearFields) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::field_table_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace patchlight {
+namespace patchlight::irradiance_layer_test {
 namespace {
 
 using Gathered = IrradianceLayer::Gathered;
@@ -204,4 +204,4 @@ TEST(IrradianceLayer, KeepsWhatItHasWhenItIsStopped) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::irradiance_layer_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::light_sources_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
@@ -51,4 +51,4 @@ TEST(LightSources, ThatAreConcaveGiveOffWhatTheirPiecesDo) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::light_sources_test

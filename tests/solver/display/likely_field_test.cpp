@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace patchlight {
+namespace patchlight::likely_field_test {
 namespace {
 
 struct Measured {
@@ -93,4 +93,4 @@ TEST(LikelyField, LeavesWhatWasNotGatheredAlone) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::likely_field_test

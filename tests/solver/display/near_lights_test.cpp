@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::near_lights_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
@@ -80,4 +80,4 @@ TEST(NearLights, ALongLampCountsByItsNarrowSide) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::near_lights_test

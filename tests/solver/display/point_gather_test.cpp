@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-namespace patchlight {
+namespace patchlight::point_gather_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -142,4 +142,4 @@ TEST(PointGather, VarianceOfTheHalvesTellsTheNoise) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::point_gather_test

@@ -10,7 +10,7 @@
 #include <map>
 #include <random>
 
-namespace patchlight {
+namespace patchlight::refinement_tree_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -133,4 +133,4 @@ TEST(RefinementTree, DisplaysLinearFieldsExactly) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::refinement_tree_test

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::reflected_field_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
@@ -74,4 +74,4 @@ TEST(ReflectedField, SamplesTheExcessAsOftenAsItsDensityTells) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::reflected_field_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::sensor_gather_test {
 namespace {
 
 constexpr double element_tolerance = 1e-6;  // Lambert's formula, and no ray to add noise
@@ -187,4 +187,4 @@ TEST(SensorGather, DoesNotDependOnScaleOrPlace) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::sensor_gather_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace patchlight {
+namespace patchlight::smooth_groups_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -113,4 +113,4 @@ TEST(SmoothGroups, LeaveOutCoveredPatches) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::smooth_groups_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::vertex_irradiance_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -66,4 +66,4 @@ TEST(VertexIrradiance, IsNeverNegative) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::vertex_irradiance_test

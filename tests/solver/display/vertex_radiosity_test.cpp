@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace patchlight {
+namespace patchlight::vertex_radiosity_test {
 namespace {
 
 constexpr double rounding = 1e-9;  // of least squares over some eight neighbours
@@ -170,4 +170,4 @@ TEST(MakeDisplay, WhatIsAllHiddenIsAsDarkAsItIs) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::vertex_radiosity_test

@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace patchlight {
+namespace patchlight::findings_test {
 namespace {
 
 TEST(Findings, AreAsManyOfAKindAsCanBeReadAndTheRestIsCounted) {
@@ -58,4 +58,4 @@ TEST(Findings, OfAnEmptySceneAreThoseOfReadingIt) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::findings_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::flipped_normals_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -71,4 +71,4 @@ TEST(FlippedNormals, AreNoneInTheOpen) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::flipped_normals_test

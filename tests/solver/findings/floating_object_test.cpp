@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::floating_object_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -56,4 +56,4 @@ TEST(FloatingObject, IsNoneThatIsASheetOnAWallOrFloor) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::floating_object_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::light_balance_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -84,4 +84,4 @@ TEST(SmallEmitter, IsNoneForMoreSamplesLargerLampsAndBetterWays) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::light_balance_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::light_leak_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -105,4 +105,4 @@ TEST(LightLeak, IsNoneInTheOpen) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::light_leak_test

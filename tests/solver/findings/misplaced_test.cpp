@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::misplaced_test {
 namespace {
 
 constexpr std::uint64_t seed = 1;
@@ -82,4 +82,4 @@ TEST(Misplaced, CamerasThatSeeBacksAloneAreToldOf) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::misplaced_test

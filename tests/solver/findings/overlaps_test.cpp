@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::overlaps_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
@@ -64,4 +64,4 @@ TEST(OverlapFindings, CountPolygonsOfOnePairOfObjects) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::overlaps_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::polygon_shapes_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -52,4 +52,4 @@ TEST(TVertex, IsNoneOnTheEdge) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::polygon_shapes_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::wasted_light_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -51,4 +51,4 @@ TEST(WastedLight, IsNoneWhereASmallOrFarSurfaceOrASensorGetsSome) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::wasted_light_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::analytic_engine_test {
 namespace {
 
 constexpr double promised = 3e-7;  // relative error where nothing blocks
@@ -139,4 +139,4 @@ TEST(AnalyticEngine, ARowIsTheSameBytesEachTime) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::analytic_engine_test

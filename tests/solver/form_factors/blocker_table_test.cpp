@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::blocker_table_test {
 namespace {
 
 constexpr int segments_per_pair = 200;
@@ -156,4 +156,4 @@ TEST(BlockerTable, NamesPairsWithABoxBetween) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::blocker_table_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::close_row_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -141,4 +141,4 @@ TEST(CloseRow, OfNothingButBacksStaysThatWay) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::close_row_test

@@ -12,7 +12,7 @@
 #include <numbers>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::contour_exchange_test {
 namespace {
 
 constexpr double promised = 1e-9;  // relative error of the contour integral
@@ -179,4 +179,4 @@ TEST(ContourExchange, TakesRepeatedCorners) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::contour_exchange_test

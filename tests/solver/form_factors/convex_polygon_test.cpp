@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace patchlight {
+namespace patchlight::convex_polygon_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -61,4 +61,4 @@ TEST(ClipToFront, HoldsAQuadCutByFourPlanes) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::convex_polygon_test

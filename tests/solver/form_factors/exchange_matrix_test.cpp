@@ -9,7 +9,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::exchange_matrix_test {
 namespace {
 
 constexpr double rounding = 1e-6;  // float entries
@@ -112,4 +112,4 @@ TEST(BuildExchange, RepairKeepsAPairThatOnlyItsSmallEndSaw) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::exchange_matrix_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::form_factor_matrix_test {
 namespace {
 
 constexpr double rounding = 1e-6;  // float entries
@@ -68,4 +68,4 @@ TEST(FormFactorMatrix, HasEmptyRows) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::form_factor_matrix_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::four_samples_test {
 namespace {
 
 constexpr float rounding = 1e-6f;  // float in ray space, some operations
@@ -63,4 +63,4 @@ TEST(MakeFourSamples, WeighNothingFromBehind) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::four_samples_test

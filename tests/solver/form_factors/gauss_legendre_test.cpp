@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::gauss_legendre_test {
 namespace {
 
 constexpr double rounding = 1e-14;
@@ -29,4 +29,4 @@ TEST(GaussLegendre, IntegratesPolynomialsUpToDegreeTwiceNMinusOneExactly) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::gauss_legendre_test

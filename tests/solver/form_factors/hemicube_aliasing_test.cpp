@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight {
+namespace patchlight::hemicube_aliasing_test {
 namespace {
 
 /// Eye at the centre of a unit square, and what it looks at.
@@ -112,4 +112,4 @@ TEST(HemicubeAliasing, OfRandomRotationsIsThatOfTheTable) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_aliasing_test

@@ -9,7 +9,7 @@
 
 #include <numeric>
 
-namespace patchlight {
+namespace patchlight::hemicube_cells_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -105,4 +105,4 @@ TEST(HemicubeCells, AreTheExactSharesOfTheirSolidAnglesToSecondOrder) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_cells_test

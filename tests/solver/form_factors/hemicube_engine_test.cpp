@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::hemicube_engine_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // of sums of a row
@@ -135,4 +135,4 @@ TEST(HemicubeEngine, ACoveredPatchSeesNothing) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_engine_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::hemicube_errors_test {
 namespace {
 
 HemicubeErrors errors_of(const EngineScene& scene, int resolution, int sub_samples) {
@@ -71,4 +71,4 @@ TEST(HemicubeErrors, AreTheSameBytesEachTime) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_errors_test

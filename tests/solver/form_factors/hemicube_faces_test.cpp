@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::hemicube_faces_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // of sums over cells
@@ -72,4 +72,4 @@ TEST(HemicubeFaces, SidesLookWhereTheySay) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_faces_test

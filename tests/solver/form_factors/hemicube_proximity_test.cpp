@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight {
+namespace patchlight::hemicube_proximity_test {
 namespace {
 
 constexpr int resolution = 64;
@@ -117,4 +117,4 @@ TEST(HemicubeProximity, IsMendedToTwoPercentByTheNumberOfPartsItChooses) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_proximity_test

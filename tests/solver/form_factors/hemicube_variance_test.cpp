@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace patchlight {
+namespace patchlight::hemicube_variance_test {
 namespace {
 
 constexpr int seeds = 12;
@@ -97,4 +97,4 @@ TEST(HemicubeVarianceOfAPair, TellsTheProximityOfFacingSquaresWithinAFactorOfThr
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_variance_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::hemicube_walls_test {
 namespace {
 
 const std::vector<int> resolutions{16, 63, 64, 65};
@@ -124,4 +124,4 @@ TEST(HemicubeGaps, OfSmallPatchesInALargeSceneAreSeenToo) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemicube_walls_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace patchlight {
+namespace patchlight::hemisphere_rays_test {
 namespace {
 
 constexpr int rays = 4096;
@@ -116,4 +116,4 @@ TEST(HemisphereRays, TheLastBatchHoldsTheRest) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::hemisphere_rays_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::join_halves_test {
 namespace {
 
 constexpr double rounding = 1e-6;  // float entries
@@ -77,4 +77,4 @@ TEST(MeasureRows, TellsTheDefectsOfTheRowsAsCounted) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::join_halves_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::outside_rays_test {
 namespace {
 
 constexpr int rays = 4096;
@@ -69,4 +69,4 @@ TEST(OutsideRays, EverywhereAreThoseOfEachPatch) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::outside_rays_test

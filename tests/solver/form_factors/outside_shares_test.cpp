@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::outside_shares_test {
 namespace {
 
 constexpr std::uint64_t rays = 100;
@@ -66,4 +66,4 @@ TEST(SetOutside, OfOneShareAloneTheVarianceIsBinomial) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::outside_shares_test

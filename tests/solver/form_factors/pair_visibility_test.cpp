@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-namespace patchlight {
+namespace patchlight::pair_visibility_test {
 namespace {
 
 constexpr int samples = 1024;
@@ -135,4 +135,4 @@ TEST(VisibilityQuery, OneHeavySampleCountsForLittleMoreThanOne) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::pair_visibility_test

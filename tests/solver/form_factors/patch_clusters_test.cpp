@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::patch_clusters_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -57,4 +57,4 @@ TEST(PatchClusters, LieWithinTheHullOfTheirPoints) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::patch_clusters_test

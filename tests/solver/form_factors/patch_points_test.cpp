@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-namespace patchlight {
+namespace patchlight::patch_points_test {
 namespace {
 
 constexpr double rounding = 1e-13;
@@ -74,4 +74,4 @@ TEST(KernelExchange, OfPolygonsOfAllSizesMeetsItsParts) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::patch_points_test

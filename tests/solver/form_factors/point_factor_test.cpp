@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight {
+namespace patchlight::point_factor_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -110,4 +110,4 @@ TEST(PointFactor, IsTheKernelFarAway) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::point_factor_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::ray_cast_engine_test {
 namespace {
 
 constexpr int rays = 4096;
@@ -91,4 +91,4 @@ TEST(RayCastEngine, ARowIsTheSameBytesEachTime) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::ray_cast_engine_test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::repair_closure_test {
 namespace {
 
 constexpr double closed = 1e-6;  // float entries: a row of many sums to 1 this well
@@ -178,4 +178,4 @@ TEST(RepairClosure, ComesToAnEndOnVariancesOfAllSizes) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::repair_closure_test

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::unoccluded_exchange_test {
 namespace {
 
 constexpr double promised = 3e-7;  // relative error, in the median over poses
@@ -216,4 +216,4 @@ TEST(UnoccludedExchange, TheTwoSidesOfASlantedFaceDoNotSeeEachOther) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::unoccluded_exchange_test

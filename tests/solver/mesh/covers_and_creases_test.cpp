@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight {
+namespace patchlight::covers_and_creases_test {
 namespace {
 
 constexpr double cover_rounding = 1e-9;  // of areas between crossing outlines [m²]
@@ -174,4 +174,4 @@ TEST_P(EveryScale, TheMeshIsAsSound) {
 INSTANTIATE_TEST_SUITE_P(MakePatches, EveryScale, testing::Values(1e-4, 0.01, 3.0, 1e3, 1e6));
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::covers_and_creases_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::grid_shape_test {
 namespace {
 
 bool fits(const std::vector<std::array<double, 2>>& corners) {
@@ -37,4 +37,4 @@ TEST(WidthOf, IsAboutTheWidthOfANarrowPolygon) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::grid_shape_test

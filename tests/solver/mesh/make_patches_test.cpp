@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::make_patches_test {
 namespace {
 
 constexpr double area_rounding = 1e-12;     // sums of some thousand areas, relative
@@ -191,4 +191,4 @@ TEST(PatchCorners, AreThreeOfATriangleAndFourOfAQuad) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::make_patches_test

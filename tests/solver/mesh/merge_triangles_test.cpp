@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::merge_triangles_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // areas of some hundred faces
@@ -61,4 +61,4 @@ TEST(MergeTriangles, PrefersTheMoreRectangularPair) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::merge_triangles_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::shared_edges_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -52,4 +52,4 @@ TEST(SharedEdges, StayWholeWhereARugEndsOnThem) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::shared_edges_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-namespace patchlight {
+namespace patchlight::triangulation_test {
 namespace {
 
 constexpr double area_rounding = 1e-12;   // sums of some thousand triangles
@@ -235,4 +235,4 @@ TEST(Triangulation, EdgesThatNearlyCoincideTakeFewPoints) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::triangulation_test

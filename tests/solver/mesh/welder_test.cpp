@@ -6,7 +6,7 @@
 
 #include <random>
 
-namespace patchlight {
+namespace patchlight::welder_test {
 namespace {
 
 constexpr double reach = 1e-3;
@@ -62,4 +62,4 @@ TEST(Welder, OfTwoFramesMakesOneOfWhatIsTheSameExactlyAndOfNothingElse) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::welder_test

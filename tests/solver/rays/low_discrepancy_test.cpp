@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace patchlight {
+namespace patchlight::low_discrepancy_test {
 namespace {
 
 /// Whether every interval of 2^-a by 2^-(m-a) holds exactly one of the first 2^m points.
@@ -75,4 +75,4 @@ TEST(Mix, GivesNearInputsDifferentOutputs) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::low_discrepancy_test

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::patch_locator_test {
 namespace {
 
 constexpr double near_an_edge = 1e-5;  // of the scene's size: float cannot tell the side [1]
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& shape) { return shape.param.name; });
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::patch_locator_test

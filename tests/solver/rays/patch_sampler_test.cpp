@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::patch_sampler_test {
 namespace {
 
 constexpr int samples = 40000;
@@ -150,4 +150,4 @@ TEST(PatchSampler, HasARightHandedFrame) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::patch_sampler_test

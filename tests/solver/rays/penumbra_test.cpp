@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::penumbra_test {
 namespace {
 
 std::vector<bool> chosen(const std::vector<FirstLook>& looks) { return in_penumbra(looks); }
@@ -36,4 +36,4 @@ TEST(InPenumbra, ATargetWithoutTwoNeighboursIsAlwaysChosen) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::penumbra_test

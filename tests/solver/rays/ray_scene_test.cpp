@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::ray_scene_test {
 namespace {
 
 constexpr int many_rays = 100000;
@@ -319,4 +319,4 @@ INSTANTIATE_TEST_SUITE_P(Land, EveryMotion,
                                          Motion{3.0, Vec3(5, 6, 7)}));
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::ray_scene_test

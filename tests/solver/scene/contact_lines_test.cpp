@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::contact_lines_test {
 namespace {
 
 constexpr double rounding = 1e-12;  // of cuts of planes, lengths of order 1
@@ -126,4 +126,4 @@ TEST(ContactLines, MoveWithTheScene) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::contact_lines_test

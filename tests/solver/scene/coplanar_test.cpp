@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::coplanar_test {
 namespace {
 
 using Surfaces = std::vector<SurfaceIndex>;
@@ -108,4 +108,4 @@ TEST(ClipLeft, KeepsWhatIsLeftOfTheLine) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::coplanar_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::far_reaching_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -83,4 +83,4 @@ TEST(FarReaching, WhatIsFarDoesNotChangeThePatchSize) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::far_reaching_test

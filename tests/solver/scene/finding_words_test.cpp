@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::finding_words_test {
 namespace {
 
 TEST(FindingWords, PlacesAreRoundedToWhatTheirSizeMakesVisible) {
@@ -20,4 +20,4 @@ TEST(FindingWords, NumbersHaveAFewDigits) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::finding_words_test

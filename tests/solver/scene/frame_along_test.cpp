@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace patchlight {
+namespace patchlight::frame_along_test {
 namespace {
 
 TEST(FrameAlong, TurnsWithThePolygon) {
@@ -34,4 +34,4 @@ TEST(ConvexHull, HasNoCornersAlongItsEdges) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::frame_along_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace patchlight {
+namespace patchlight::holes_test {
 namespace {
 
 using Corners = std::vector<Vec3>;
@@ -196,4 +196,4 @@ TEST(Keyholes, AreNoneWhereCornersCrossOrTurnBack) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::holes_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::light_test {
 namespace {
 
 TEST(Luminance, OfGreyIsTheGreyItselfToTheLastBit) {
@@ -17,4 +17,4 @@ TEST(Luminance, WeighsTheChannels) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::light_test

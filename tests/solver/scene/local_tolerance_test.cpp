@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::local_tolerance_test {
 namespace {
 
 const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
@@ -103,4 +103,4 @@ TEST(LocalTolerance, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::local_tolerance_test

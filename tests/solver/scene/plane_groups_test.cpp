@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::plane_groups_test {
 namespace {
 
 /// The walls of the unit cube, each as n × n quads.
@@ -48,4 +48,4 @@ TEST(PlaneGroups, APlaneThatLeansLeavesTheGroup) {
 TEST(PlaneGroups, OfNothingAreNone) { EXPECT_EQ(find_plane_groups(empty_scene()).size(), 0u); }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::plane_groups_test

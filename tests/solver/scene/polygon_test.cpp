@@ -11,7 +11,7 @@
 #include <random>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::polygon_test {
 namespace {
 
 constexpr double rounding = 1e-14;      // double arithmetic on numbers of order 1
@@ -142,4 +142,4 @@ TEST(FrameOf, IsOrthonormalAndRightHandedForAnyNormal) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::polygon_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-namespace patchlight {
+namespace patchlight::scene_test {
 namespace {
 
 constexpr double rounding = 1e-14;  // double arithmetic on numbers of order 1
@@ -207,4 +207,4 @@ TEST(SceneSize, IsTheDiagonalOfTheBoxRoundAllSurfaces) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::scene_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace patchlight {
+namespace patchlight::seen_area_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -56,4 +56,4 @@ TEST(SeenAreas, OfADiscUnderASquareIsTheRest) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::seen_area_test

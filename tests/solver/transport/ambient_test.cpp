@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::ambient_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -108,4 +108,4 @@ TEST(Ambient, NeverBrightensAnOpenSceneMuchBeyondItsSolution) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::ambient_test

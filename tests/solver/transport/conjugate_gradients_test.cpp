@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace patchlight {
+namespace patchlight::conjugate_gradients_test {
 namespace {
 
 constexpr double converged = 1e-10;  // relative to the largest radiosity
@@ -74,4 +74,4 @@ TEST(ConjugateGradients, StayFinitePastConvergence) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::conjugate_gradients_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::gather_test {
 namespace {
 
 constexpr double rounding = 1e-14;    // of a sum of some hundred terms of one sign, relative
@@ -93,4 +93,4 @@ TEST(ForRowsTogether, VisitsEachRowOnce) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::gather_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::gauss_seidel_test {
 namespace {
 
 constexpr double rounding = 1e-14;  // a sum of some hundred terms, relative
@@ -210,4 +210,4 @@ TEST(SolveGaussSeidel, StopsWhenTold) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::gauss_seidel_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::residual_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -97,4 +97,4 @@ TEST(LuminanceWeight, SumsToOne) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::residual_test

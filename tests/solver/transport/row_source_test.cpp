@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace patchlight {
+namespace patchlight::row_source_test {
 namespace {
 
 constexpr std::size_t patches = 30;
@@ -89,4 +89,4 @@ TEST(RowSource, ReportsEachRowSeenOnceAsTheEngineGaveIt) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::row_source_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace patchlight {
+namespace patchlight::shooting_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -238,4 +238,4 @@ TEST(Shooting, RecordsTheFirstShotsAndThenOnlyProgress) {
 }
 
 }  // namespace
-}  // namespace patchlight
+}  // namespace patchlight::shooting_test
