@@ -71,6 +71,8 @@ Json object_results(const Scene& scene, const Solution& solution) {
                         {"max", channels(object.max)}});
         if (std::abs(object.area - given[k]) > same * given[k])
             list.back()["area_given"] = given[k];
+        if (k < solution.error.of_object.size() && solution.error.of_object[k])
+            list.back()["error"] = *solution.error.of_object[k];
     }
     return list;
 }

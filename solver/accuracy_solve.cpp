@@ -34,7 +34,6 @@ constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 constexpr int fewest_rays = 96, most_rays = 1 << 15;  // multiples of 32
-constexpr int probe_rays = 64;
 
 class AccuracySolve {
   public:
@@ -231,8 +230,7 @@ void AccuracySolve::run() {
 void AccuracySolve::light_sensors() {
     if (stage_.scene.sensors.empty() || !light_.field()) return;
     SensorEffort effort;
-    effort.rays = std::clamp(4 * aim_.rays, 1024, most_rays);
-    effort.field_error = solution_.error.form_factors.value_or(0.0);
+    effort.rays = std::clamp(2 * aim_.rays, 512, most_rays);
     effort.seed = seed(0x73656e73);
     solution_.sensors = light_at_sensors(
         stage_.scene, stage_.rays, light_.pass().points().gather(), *light_.field(), effort,

@@ -12,8 +12,6 @@ namespace patchlight {
 
 namespace {
 
-constexpr int probe_rays = 64;  // per patch, to tell how much of its light can meet a front
-
 /// Where each patch's light goes that meets no front: for the ambient term and the display.
 struct Surroundings {
     std::vector<double> front_share, hidden;

@@ -12,6 +12,7 @@
 
 #include <oneapi/tbb/global_control.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace patchlight {
@@ -95,6 +96,13 @@ void gather(const SolveStage& stage) {
     if (solution.sensors.size() < stage.scene.sensors.size()) solution.status = status_of(stopped);
 }
 
+/// What the field's error makes of the light that surfaces send to the sensors.
+void count_field_error(Solution& solution) {
+    for (SensorReport& sensor : solution.sensors)
+        sensor.error =
+            std::hypot(sensor.error, solution.error.estimate.value_or(0.0) * sensor.reflected);
+}
+
 }  // namespace
 
 Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe) {
@@ -127,6 +135,7 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     const SolveStage stage{scene, rays, watch, solution};
     if (solution.settings.accuracy) {
         solve_to_accuracy(stage, lines);
+        count_field_error(solution);
         solution.objects = measure_objects(scene, solution);
         return solution;
     }
@@ -138,6 +147,7 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     const double shown = watch.seconds_so_far();
     if (solution.settings.measure_error && solution.status != Status::cancelled)
         check_solution(stage, lines);
+    count_field_error(solution);
     solution.seconds.measuring += watch.seconds_so_far() - shown;
     solution.objects = measure_objects(scene, solution);
     solution.seconds.display = watch.lap();

@@ -117,6 +117,10 @@ SensorReport gather(const Scene& scene, const PatchMesh& mesh, const Patches& pa
         const double clear =
             target.weight > 0.0f ? static_cast<double>(target.clear_weight / target.weight) : 1.0;
         report.irradiance += clear * target.factor * radiosity[target.patch];
+        const Surface& surface = scene.surfaces[mesh.patches[target.patch].surface];
+        report.reflected +=
+            clear * target.factor *
+            luminance(radiosity[target.patch] - scene.materials[surface.material].exitance);
         const double contribution = target.factor * luminance(radiosity[target.patch]);
         if (target.taken > 0)
             variance += contribution * contribution * clear * (1.0 - clear) / target.taken;

@@ -7,6 +7,9 @@
 
 namespace patchlight {
 
+/// Per patch, to tell how much of its light can meet a front at all.
+constexpr int probe_rays = 64;
+
 /// Tells by rays how much of a patch's light lands on backs or leaves the scene.
 class OutsideRays {
   public:
