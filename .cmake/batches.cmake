@@ -1,5 +1,5 @@
 # compile_in_batches(TARGET [NAME.cpp...]): compiles the sources of each folder together, up to
-# eight at a time, so that the headers they share are read once and the templates they share are
+# sixteen at a time, so that the headers they share are read once and the templates they share are
 # made once. The files named here stay alone; those that have a UNITY_GROUP keep it. New sources
 # find their batch by themselves; what it asks of them is that files of one folder share no name in
 # their anonymous namespaces.
@@ -27,7 +27,7 @@ function(compile_in_batches target)
     list(REMOVE_DUPLICATES folders)
     foreach(folder IN LISTS folders)
         list(LENGTH ${folder} count)
-        math(EXPR batches "(${count} + 7) / 8")
+        math(EXPR batches "(${count} + 15) / 16")
         set(k 0)
         foreach(source IN LISTS ${folder})
             math(EXPR batch "${k} * ${batches} / ${count}")

@@ -42,7 +42,7 @@ OIIO::ImageSpec spec_of(const PatchlightImageRequest& request) {
     throw std::invalid_argument("format without a case");
 }
 
-std::vector<unsigned char> encode(const PatchlightImageRequest& request) {
+std::vector<unsigned char> encode_pixels(const PatchlightImageRequest& request) {
     use_no_pools();
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
@@ -164,7 +164,7 @@ int answer(const Request& request, const Work& work) noexcept {
 extern "C" __attribute__((visibility("default"))) int patchlight_encode_image_1(
     const PatchlightImageRequest* request) {
     return answer(*request, [&] {
-        const std::vector<unsigned char> bytes = encode(*request);
+        const std::vector<unsigned char> bytes = encode_pixels(*request);
         request->take_bytes(request->taker, bytes.data(), bytes.size());
     });
 }

@@ -53,7 +53,7 @@ Grouping grouping_of(const std::string& name) {
 }
 
 /// Without what steers a solver alone.
-nlohmann::ordered_json settings_of(const ViewFactorReport& report) {
+nlohmann::ordered_json settings_block_of(const ViewFactorReport& report) {
     nlohmann::ordered_json settings = solve_block(report.settings);
     for (const char* idle : {"solver", "tolerance", "max_iterations", "ambient"})
         settings.erase(idle);
@@ -64,7 +64,7 @@ nlohmann::ordered_json stats_of(const ViewFactorReport& report, double seconds) 
     nlohmann::ordered_json stats{{"version", 1},
                                  {"patchlight", program_version()},
                                  {"status", name_of(report.status)},
-                                 {"settings", {{"solve", settings_of(report)}}},
+                                 {"settings", {{"solve", settings_block_of(report)}}},
                                  {"patches", report.patches},
                                  {"streamed", report.streamed},
                                  {"form_factors", form_factors_block(report.form_factors)}};

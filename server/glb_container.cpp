@@ -17,13 +17,13 @@ constexpr std::size_t chunk_head_size = 8;
 
 std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
 
-void append_number(std::string& bytes, std::size_t number) {
+void append_word(std::string& bytes, std::size_t number) {
     for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 0xff);
 }
 
 void append_chunk(std::string& bytes, std::uint32_t kind, const std::string& content, char filler) {
-    append_number(bytes, padded(content.size()));
-    append_number(bytes, kind);
+    append_word(bytes, padded(content.size()));
+    append_word(bytes, kind);
     bytes += content;
     bytes.append(padded(content.size()) - content.size(), filler);
 }
@@ -64,9 +64,9 @@ std::string GlbContainer::packed() {
                                 " bytes; a .glb cannot hold more than 4 GiB");
     std::string bytes;
     bytes.reserve(size);
-    append_number(bytes, magic);
-    append_number(bytes, 2);  // version
-    append_number(bytes, size);
+    append_word(bytes, magic);
+    append_word(bytes, 2);  // version
+    append_word(bytes, size);
     append_chunk(bytes, json_chunk, text, ' ');
     if (!buffer_.empty()) append_chunk(bytes, binary_chunk, buffer_, '\0');
     return bytes;

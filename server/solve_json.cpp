@@ -60,7 +60,8 @@ double read_patch_size(const JsonValue& value, double metres) {
 }
 
 template <typename Number>
-void put(nlohmann::ordered_json& block, const char* key, const std::optional<Number>& number) {
+void put_if_known(nlohmann::ordered_json& block, const char* key,
+                  const std::optional<Number>& number) {
     if (number) block[key] = *number;
 }
 
@@ -128,16 +129,16 @@ void read_solve(const JsonValue& block, double metres, SolveSettings& settings) 
 nlohmann::ordered_json solve_block(const SolveSettings& settings) {
     nlohmann::ordered_json block{{"solver", name_of(settings.method)},
                                  {"form_factors", name_of(settings.engine)}};
-    put(block, "accuracy", settings.accuracy);
-    put(block, "patch_size", settings.patch_size);
-    put(block, "rays", settings.rays);
-    put(block, "hemicube_resolution", settings.hemicube_resolution);
-    put(block, "tolerance", settings.tolerance);
-    put(block, "max_iterations", settings.max_iterations);
-    put(block, "ambient", settings.ambient);
+    put_if_known(block, "accuracy", settings.accuracy);
+    put_if_known(block, "patch_size", settings.patch_size);
+    put_if_known(block, "rays", settings.rays);
+    put_if_known(block, "hemicube_resolution", settings.hemicube_resolution);
+    put_if_known(block, "tolerance", settings.tolerance);
+    put_if_known(block, "max_iterations", settings.max_iterations);
+    put_if_known(block, "ambient", settings.ambient);
     block["seed"] = settings.seed;
-    put(block, "time_limit", settings.time_limit);
-    put(block, "memory_limit", settings.memory_limit);
+    put_if_known(block, "time_limit", settings.time_limit);
+    put_if_known(block, "memory_limit", settings.memory_limit);
     return block;
 }
 

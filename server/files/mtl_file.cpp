@@ -9,7 +9,7 @@ namespace patchlight::server {
 namespace {
 
 /// One number stands for all three channels.
-Rgb read_colour(TextLines& lines) {
+Rgb read_mtl_colour(TextLines& lines) {
     if (const std::string_view given = lines.rest();
         given.starts_with("spectral") || given.starts_with("xyz"))
         lines.reject("colours are read as r g b only, not as " + in_quotes(given));
@@ -78,7 +78,7 @@ std::optional<FileTexture> read_texture(TextLines& lines) {
 Rgb read_filter(TextLines& lines) {
     const bool is_spectrum =
         lines.rest().starts_with("spectral") || lines.rest().starts_with("xyz");
-    return is_spectrum ? Rgb(Rgb::Constant(0.5)) : read_colour(lines);
+    return is_spectrum ? Rgb(Rgb::Constant(0.5)) : read_mtl_colour(lines);
 }
 
 void read_clarity(const std::string& key, TextLines& lines, Clarity& clarity) {
@@ -108,8 +108,8 @@ std::string small(std::string_view key) {
 }
 
 void read_property(const std::string& key, TextLines& lines, FileMaterial& material) {
-    if (key == "kd") material.reflectance = read_colour(lines);
-    if (key == "ke") material.radiance = read_colour(lines);
+    if (key == "kd") material.reflectance = read_mtl_colour(lines);
+    if (key == "ke") material.radiance = read_mtl_colour(lines);
     if (key == "map_kd") material.reflectance_texture = read_texture(lines);
     if (key == "map_ke") material.radiance_texture = read_texture(lines);
 }

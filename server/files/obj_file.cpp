@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 18> curved{"vp",    "cstype", "deg",  "bm
                                                   "sp",    "end",    "con",  "bzp",  "bsp",  "res"};
 
 template <std::size_t count>
-bool is_one_of(const std::array<std::string_view, count>& known, std::string_view word) {
+bool is_among(const std::array<std::string_view, count>& known, std::string_view word) {
     return std::find(known.begin(), known.end(), word) != known.end();
 }
 
@@ -55,11 +55,11 @@ class ObjReader {
             return;
         }
         if (key == "mtllib") return materials_.open_library(lines_.rest());
-        if (is_one_of(curved, key)) {
+        if (is_among(curved, key)) {
             ++curved_;
             return;
         }
-        if (!is_one_of(without_area, key))
+        if (!is_among(without_area, key))
             lines_.reject("unknown statement " + in_quotes(key) + "; this is no OBJ file");
     }
 

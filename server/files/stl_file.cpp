@@ -38,7 +38,7 @@ void add_face(ImportedGeometry& geometry, std::uint32_t corners, std::uint32_t l
     geometry.parts.back().faces.push_back({first, corners, 0, line});
 }
 
-std::uint32_t count_of(std::string_view bytes) {
+std::uint32_t triangles_told(std::string_view bytes) {
     std::uint32_t count = 0;
     if (bytes.size() >= header_bytes) std::memcpy(&count, bytes.data() + 80, sizeof count);
     return count;
@@ -52,13 +52,13 @@ bool is_text(std::string_view bytes) {
 }
 
 void require_all_triangles(std::string_view bytes, const std::string& file) {
-    const std::size_t needed = header_bytes + triangle_bytes * std::size_t{count_of(bytes)};
-    if (bytes.size() >= header_bytes && needed <= bytes.size() && count_of(bytes) > 0) return;
+    const std::size_t needed = header_bytes + triangle_bytes * std::size_t{triangles_told(bytes)};
+    if (bytes.size() >= header_bytes && needed <= bytes.size() && triangles_told(bytes) > 0) return;
     if (bytes.size() == header_bytes) throw InputError(file, "has no triangles");
     throw InputError(file, "is no STL: text begins with 'solid'; a binary file of " +
-                               std::to_string(count_of(bytes)) + " triangles, as it says, has " +
-                               std::to_string(needed) + " bytes, not " +
-                               std::to_string(bytes.size()));
+                               std::to_string(triangles_told(bytes)) +
+                               " triangles, as it says, has " + std::to_string(needed) +
+                               " bytes, not " + std::to_string(bytes.size()));
 }
 
 void remark(ImportedGeometry& geometry, const char* kind, const std::string& detail,
@@ -68,14 +68,14 @@ void remark(ImportedGeometry& geometry, const char* kind, const std::string& det
 
 void read_binary(std::string_view bytes, ImportedGeometry& geometry) {
     require_all_triangles(bytes, geometry.file);
-    const std::size_t more = bytes.size() - header_bytes - triangle_bytes * count_of(bytes);
+    const std::size_t more = bytes.size() - header_bytes - triangle_bytes * triangles_told(bytes);
     if (more > 0)
         remark(geometry, "trailing-bytes",
-               std::to_string(more) + " bytes after the " + std::to_string(count_of(bytes)) +
+               std::to_string(more) + " bytes after the " + std::to_string(triangles_told(bytes)) +
                    " triangles that " + geometry.file + " announces are left out",
                "write the file again, if triangles are missing");
     geometry.parts.emplace_back();
-    for (std::uint32_t number = 0; number < count_of(bytes); ++number) {
+    for (std::uint32_t number = 0; number < triangles_told(bytes); ++number) {
         float coordinates[9];
         constexpr std::size_t normal_bytes = 12;
         std::memcpy(coordinates,

@@ -58,7 +58,7 @@ struct AcceptLoop::Shared {
 namespace {
 
 /// Said without waiting for the request, from the thread that accepts: it must not take long.
-void refuse(int socket) {
+void refuse_connection(int socket) {
     HttpAnswer answer = try_again_later({503,
                                          "too-many-connections",
                                          "Too many connections",
@@ -108,14 +108,14 @@ void AcceptLoop::accept_one(int listening_socket) {
 void AcceptLoop::take(int socket) {
     const std::string address = peer_address(socket);
     const Lane lane = shared_->count.enter(address);
-    if (lane == Lane::refused) return refuse(socket);
+    if (lane == Lane::refused) return refuse_connection(socket);
     try {
         std::thread([shared = shared_, socket, address, lane] {
             shared->converse(socket, address, lane);
         }).detach();
     } catch (const std::exception&) {  // no thread to be had
         shared_->count.leave(address, lane);
-        refuse(socket);
+        refuse_connection(socket);
     }
 }
 

@@ -3,7 +3,7 @@
 namespace patchlight::server {
 namespace {
 
-bool is_loopback(const std::string& address) {
+bool is_loopback_name(const std::string& address) {
     return address.starts_with("127.") || address == "::1" || address.starts_with("::ffff:127.");
 }
 
@@ -13,7 +13,8 @@ Lane ConnectionCount::enter(const std::string& address) {
     const std::lock_guard lock(mutex_);
     const auto known = by_address_.find(address);
     const std::size_t of_address = known == by_address_.end() ? 0 : known->second;
-    const bool is_greedy = !is_loopback(address) && of_address >= limits_.connections_per_address;
+    const bool is_greedy =
+        !is_loopback_name(address) && of_address >= limits_.connections_per_address;
     if (!is_greedy && normal_ < limits_.connections) {
         ++by_address_[address];
         ++normal_;

@@ -11,7 +11,8 @@
 namespace patchlight::server {
 namespace {
 
-HttpAnswer problem(int status, const char* kind, const char* title, const std::string& detail) {
+HttpAnswer problem_answer(int status, const char* kind, const char* title,
+                          const std::string& detail) {
     return answer_of({status, kind, title, detail, {}});
 }
 
@@ -27,9 +28,10 @@ HttpAnswer state(const char* word) {
 }
 
 HttpAnswer unauthorized() {
-    HttpAnswer answer = problem(401, "unauthorized", "A token is needed",
-                                "send the field `Authorization: Bearer TOKEN` with the token that "
-                                "the server was started with");
+    HttpAnswer answer =
+        problem_answer(401, "unauthorized", "A token is needed",
+                       "send the field `Authorization: Bearer TOKEN` with the token that "
+                       "the server was started with");
     answer.fields.emplace_back("WWW-Authenticate", "Bearer realm=\"patchlight\"");
     return answer;
 }
@@ -83,12 +85,12 @@ std::optional<HttpAnswer> Service::refusal(const HttpRequest& request) const {
 std::optional<HttpAnswer> Service::foreign(const HttpRequest& request) const {
     const auto host = request.field("Host");
     if (host && !hosts_.passes(*host))
-        return problem(403, "host-refused", "Unknown host",
-                       "this server does not go by the name " + in_quotes(*host) +
-                           "; if it should, start it with --allow-host");
+        return problem_answer(403, "host-refused", "Unknown host",
+                              "this server does not go by the name " + in_quotes(*host) +
+                                  "; if it should, start it with --allow-host");
     if (const auto origin = request.field("Origin"); origin && !is_same_origin(*origin, host))
-        return problem(403, "origin-refused", "Pages from elsewhere are refused",
-                       "this server does not serve pages of " + in_quotes(*origin));
+        return problem_answer(403, "origin-refused", "Pages from elsewhere are refused",
+                              "this server does not serve pages of " + in_quotes(*origin));
     return std::nullopt;
 }
 

@@ -37,7 +37,7 @@ std::vector<Vec3> square() { return facing_down({-0.25, 0.25}, {-0.25, 0.25}, 1.
 /// A sensor of a solve by hand states what its rays may err. To an accuracy, it states the
 /// difference of two gatherings, which is small by chance now and then: all are held to the
 /// largest.
-void answer_sensors(AnswerSheet& sheet, const SolveSettings& settings) {
+void answer_penumbra(AnswerSheet& sheet, const SolveSettings& settings) {
     KnownScene built;
     built.polygon("lamp", built.material(0.0, 1.0), lamp());
     built.polygon("square", built.material(0.0, 0.0), square());
@@ -87,8 +87,8 @@ void answer_squares(AnswerSheet& sheet) {
 }  // namespace
 
 void answer_penumbrae(AnswerSheet& sheet) {
-    answer_sensors(sheet, to_accuracy(0.01));
-    answer_sensors(sheet, settings_of({}, 0.5, 1024));
+    answer_penumbra(sheet, to_accuracy(0.01));
+    answer_penumbra(sheet, settings_of({}, 0.5, 1024));
     answer_squares(sheet);
 }
 

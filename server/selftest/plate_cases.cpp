@@ -10,14 +10,14 @@
 namespace patchlight::server {
 namespace {
 
-constexpr std::array<double, 2> exitance{1.0, 0.0}, reflectance{0.5, 0.8};
+constexpr std::array<double, 2> exitances{1.0, 0.0}, reflectances{0.5, 0.8};
 constexpr std::array<std::size_t, 2> faces{4, 5};  // z0 and z1 of the unit cube
 
 /// Two facing unit squares at distance 1, open all round.
 Scene two_plates() {
     KnownScene built;
     for (std::size_t k = 0; k < 2; ++k)
-        built.polygon(cube_face_names[faces[k]], built.material(reflectance[k], exitance[k]),
+        built.polygon(cube_face_names[faces[k]], built.material(reflectances[k], exitances[k]),
                       cube_face(faces[k], 0, 1, 0, 1));
     return built.scene;
 }
@@ -26,9 +26,9 @@ double factor() { return parallel_rectangles({0, 1}, {0, 1}, {0, 1}, {0, 1}, 1.0
 
 /// Light that goes there and back again and again: B0 = (E0 + ρ0 F E1) / (1 − ρ0 ρ1 F²).
 std::array<double, 2> on_one_patch_each() {
-    const double returned = 1.0 - reflectance[0] * reflectance[1] * factor() * factor();
-    return {(exitance[0] + reflectance[0] * factor() * exitance[1]) / returned,
-            (exitance[1] + reflectance[1] * factor() * exitance[0]) / returned};
+    const double returned = 1.0 - reflectances[0] * reflectances[1] * factor() * factor();
+    return {(exitances[0] + reflectances[0] * factor() * exitances[1]) / returned,
+            (exitances[1] + reflectances[1] * factor() * exitances[0]) / returned};
 }
 
 /// On 16 × 16 patches each, with factors of closed form, and in the limit of many, good to 1e-9.
@@ -42,7 +42,7 @@ void answer_plates_by_hand(AnswerSheet& sheet, const std::string& name, const Kn
         scene, settings_of(way, patch_size, way.engine == Engine::hemicube ? 48 * 48 : 4096));
     const SixMeans found = patch_means(scene, solution);
     // A factor that is off by δ brings a plate ρ δ B of light too much, and that goes to and fro.
-    const double passed_on = reflectance[1] / (1.0 - reflectance[1] * factor());
+    const double passed_on = reflectances[1] / (1.0 - reflectances[1] * factor());
     const double bound = passed_on * std::hypot(exact[0], exact[1]) *
                          factor_bound(solution, factor(), 1.0 / (patch_size * patch_size));
     std::vector<KnownAnswer> answers;
@@ -65,7 +65,7 @@ void answer_plates(AnswerSheet& sheet) {
     double wrong = 0.0, reflected = 0.0;
     for (std::size_t k = 0; k < 2; ++k) {
         wrong += std::pow(found[faces[k]] - in_the_limit[k], 2);
-        reflected += std::pow(in_the_limit[k] - exitance[k], 2);
+        reflected += std::pow(in_the_limit[k] - exitances[k], 2);
     }
     sheet.add_field_error("plates", "error of means", solution, std::sqrt(wrong / reflected));
 }

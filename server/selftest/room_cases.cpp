@@ -22,8 +22,8 @@ struct Traced {
 
 /// The part of a sensor's stated error that is noise is the difference of two gatherings, which is
 /// small by chance now and then: all are held to the largest that is stated, in relation.
-void answer_sensors(AnswerSheet& sheet, const std::string& name, KnownScene built,
-                    std::span<const Traced> points, double accuracy) {
+void answer_room(AnswerSheet& sheet, const std::string& name, KnownScene built,
+                 std::span<const Traced> points, double accuracy) {
     for (const Traced& point : points) built.sensor(point.name, point.position, point.normal);
     const Solution solution = sheet.solve(built.scene, to_accuracy(accuracy));
     double stated = 0.0;
@@ -108,7 +108,7 @@ void answer_doorway(AnswerSheet& sheet) {
         Traced{"beside the door", {5.2, 2.7, 0.8}, {0, 0, 1}, 2.1342793, 0.0015},
         Traced{"far end", {8.2, 1.5, 1.2}, {-1, 0, 0}, 2.1549665, 0.0014},
         Traced{"second ceiling", {6.2, 1.5, 2.5}, {0, 0, -1}, 2.2188154, 0.0014}};
-    answer_sensors(sheet, "two rooms, doorway", two_chambers(0.2, true), points, 0.02);
+    answer_room(sheet, "two rooms, doorway", two_chambers(0.2, true), points, 0.02);
 }
 
 void answer_cornell_box(AnswerSheet& sheet) {
@@ -118,7 +118,7 @@ void answer_cornell_box(AnswerSheet& sheet) {
         Traced{"short block", {.186, .165, .169}, {0, 1, 0}, 1.053173, 0.000054},
         Traced{"back", {.278, .45, .5592}, {0, 0, -1}, 0.908591, 0.000089},
         Traced{"ceiling", {.1, .5488, .28}, {0, -1, 0}, 0.315823, 0.000072}};
-    answer_sensors(sheet, "Cornell box", cornell_box(), points, 0.01);
+    answer_room(sheet, "Cornell box", cornell_box(), points, 0.01);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int first_looks = ray_batch;  // of which mostly one meets a front
 constexpr int all_looks = 16 * ray_batch;
-constexpr float off_contact = 1.2f;  // of the contact distance: above what touches the sensor
+constexpr float above_contact = 1.2f;  // of the contact distance: above what touches the sensor
 constexpr std::size_t names_at_most = 10;
 
 /// What is seen from a point, in directions that are uniform over a half space or all of space.
@@ -58,8 +58,8 @@ bool has_back_behind(const FlawSearch& search, SurfaceIndex s, const Vec3& p) {
 View look(const FlawSearch& search, const Vec3& point, const RayPoint& normal, Part part,
           std::uint64_t seed) {
     const FrameIndex frame = search.rays.frame_at(point);
-    const RayPoint origin =
-        search.rays.to_ray_space(point, frame) + off_contact * search.rays.contact(frame) * normal;
+    const RayPoint origin = search.rays.to_ray_space(point, frame) +
+                            above_contact * search.rays.contact(frame) * normal;
     View view;
     for (int first = 0; first < all_looks && view.fronts == 0; first += ray_batch) {
         if (first >= first_looks && view.backs + view.both == 0 && part == Part::before) break;

@@ -1,18 +1,10 @@
 #include "solver/rays/ray_scene.h"
 
-#include <Eigen/Geometry>
-
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
+#include "solver/rays/embree_scene.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <string>
 
 namespace patchlight {
@@ -38,102 +30,12 @@ double scale_of(const std::vector<LocalFrame>& frames) {
 
 }  // namespace
 
-/// Of each frame the triangles that are at home there; where there are several, each also sees the
-/// others, moved.
-struct RayScene::Device {
-    RTCDevice device = nullptr;
-    std::vector<RTCScene> own, whole;  // per frame; the same where there is one
-    explicit Device(const std::string& instructions) {
-        std::string config = "threads=0,set_affinity=0";
-        if (!instructions.empty()) config += ",isa=" + instructions;
-        device = rtcNewDevice(config.c_str());
-        if (!device) throw std::bad_alloc();
-        rtcSetDeviceErrorFunction(device, &on_error, this);
-    }
-    ~Device() {
-        for (const RTCScene scene : own) rtcReleaseScene(scene);
-        if (whole != own)
-            for (const RTCScene scene : whole) rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-    RTCScene new_scene() const {
-        const RTCScene scene = rtcNewScene(device);
-        if (!scene) throw std::bad_alloc();
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
-        return scene;
-    }
-    void add_triangles(const std::vector<RayPoint>& vertices,
-                       const std::vector<std::uint32_t>& indices);
-    void join(const RayScene& rays);
-    void check() const {
-        if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
-        if (error != RTC_ERROR_NONE)
-            throw std::runtime_error("Embree could not build the scene: error " +
-                                     std::to_string(error));
-    }
-    static void on_error(void* self, RTCError code, const char*) {
-        static_cast<Device*>(self)->error = code;
-    }
-    RTCError error = RTC_ERROR_NONE;
-};
-
-/// Own scene of the next frame.
-void RayScene::Device::add_triangles(const std::vector<RayPoint>& vertices,
-                                     const std::vector<std::uint32_t>& indices) {
-    own.push_back(new_scene());
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertex_buffer = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                3 * sizeof(float), vertices.size()));
-    auto* index_buffer = static_cast<std::uint32_t*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(std::uint32_t), indices.size() / 3));
-    if (!vertices.empty() && (!vertex_buffer || !index_buffer)) throw std::bad_alloc();
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-        for (int axis = 0; axis < 3; ++axis)
-            vertex_buffer[3 * v + static_cast<std::size_t>(axis)] = vertices[v][axis];
-    std::copy(indices.begin(), indices.end(), index_buffer);
-    rtcSetGeometryMask(geometry, ~0u);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(own.back(), geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(own.back());
-    check();
-}
-
-void RayScene::Device::join(const RayScene& rays) {
-    if (own.size() == 1) {
-        whole = own;
-        return;
-    }
-    for (std::size_t to = 0; to < own.size(); ++to) {
-        whole.push_back(new_scene());
-        for (std::size_t of = 0; of < own.size(); ++of) {
-            const Eigen::Vector3f shift =
-                rays.shift(static_cast<FrameIndex>(of), static_cast<FrameIndex>(to)).cast<float>();
-            const std::array<float, 12> transform{1, 0, 0, 0,         1,         0,
-                                                  0, 0, 1, shift.x(), shift.y(), shift.z()};
-            const RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-            rtcSetGeometryInstancedScene(instance, own[of]);
-            rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
-                                    transform.data());
-            rtcSetGeometryMask(instance, ~0u);
-            rtcCommitGeometry(instance);
-            rtcAttachGeometryByID(whole.back(), instance, static_cast<unsigned>(of));
-            rtcReleaseGeometry(instance);
-        }
-        rtcCommitScene(whole.back());
-    }
-    check();
-}
-
 RayScene::RayScene(const Scene& scene, const CoplanarOverlaps& overlaps,
                    const std::string& instructions)
     : tolerance_(scene),
       scale_(scale_of(tolerance_.frames())),
       partners_(overlaps.partners),
-      device_(std::make_unique<Device>(instructions)) {
+      embree_(std::make_unique<EmbreeScene>(instructions)) {
     for (const LocalFrame& frame : tolerance_.frames()) origins_.push_back(frame.origin());
     find_lifts(scene, overlaps);
     build(scene);
@@ -197,82 +99,21 @@ void RayScene::build(const Scene& scene) {
                 if (frames() > 1) corners_.push_back(corners);
             }
         }
-        device_->add_triangles(vertices, indices);
+        embree_->add_triangles(vertices, indices);
     }
-    device_->join(*this);
+    embree_->join([this](FrameIndex of, FrameIndex to) { return shift(of, to); });
 }
-
-namespace {
-
-/// The first `count` rays, or those of them that `chosen` has a bit of, from their origins to `end`
-/// times their directions. The other lanes hold a ray of no length: where 16 rays are more than the
-/// processor's width, Embree 3 goes by the lengths and not by `valid`.
-template <typename Query>
-void fill_query(const RayBatch& rays, int count, float end, Query& query,
-                std::array<int, ray_batch>& valid, std::uint32_t chosen = ~0u) {
-    for (int k = 0; k < ray_batch; ++k) {
-        const bool used = k < count && ((chosen >> k) & 1u);
-        valid[k] = used ? -1 : 0;
-        query.org_x[k] = used ? rays.ox[k] : 0.0f;
-        query.org_y[k] = used ? rays.oy[k] : 0.0f;
-        query.org_z[k] = used ? rays.oz[k] : 0.0f;
-        query.dir_x[k] = used ? rays.dx[k] : 0.0f;
-        query.dir_y[k] = used ? rays.dy[k] : 0.0f;
-        query.dir_z[k] = used ? rays.dz[k] : 1.0f;
-        query.tnear[k] = 0.0f;
-        query.tfar[k] = used ? end : -std::numeric_limits<float>::infinity();
-        query.time[k] = 0.0f;
-        query.mask[k] = ~0u;
-        query.id[k] = 0;
-        query.flags[k] = 0;
-    }
-}
-
-void intersect(RTCScene scene, const std::array<int, ray_batch>& valid, RTCRayHit16& query) {
-#if RTC_VERSION_MAJOR >= 4
-    rtcIntersect16(valid.data(), scene, &query, nullptr);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect16(valid.data(), scene, &context, &query);
-#endif
-}
-
-void occlude(RTCScene scene, const std::array<int, ray_batch>& valid, RTCRay16& query) {
-#if RTC_VERSION_MAJOR >= 4
-    rtcOccluded16(valid.data(), scene, &query, nullptr);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded16(valid.data(), scene, &context, &query);
-#endif
-}
-
-std::uint32_t lanes_of(FrameIndex f, const std::array<FrameIndex, ray_batch>& frames) {
-    std::uint32_t lanes = 0;
-    for (std::size_t k = 0; k < frames.size(); ++k)
-        if (frames[k] == f) lanes |= 1u << k;
-    return lanes;
-}
-
-}  // namespace
 
 void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) const {
     if (frames() > 1) {
-        std::uint32_t left = (count < 32 ? 1u << count : 0u) - 1u;
-        while (left != 0) {
-            const FrameIndex f = rays.frame[static_cast<std::size_t>(std::countr_zero(left))];
-            const std::uint32_t chosen = left & lanes_of(f, rays.frame);
-            land_in_frame(f, chosen, rays, count, landings);
-            left &= ~chosen;
-        }
+        land_between_frames(rays, count, landings);
         return;
     }
     RTCRayHit16 query;
-    alignas(64) std::array<int, ray_batch> valid;
+    alignas(64) RayLanes valid;
     fill_query(rays, count, beyond_everything, query.ray, valid);
     std::fill_n(query.hit.geomID, ray_batch, RTC_INVALID_GEOMETRY_ID);
-    intersect(device_->whole[0], valid, query);
+    intersect(embree_->seen_from(0), valid, query);
     for (int k = 0; k < count; ++k) {
         if (query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) {
             landings.landing[k] = Landing::escaped;
@@ -286,34 +127,6 @@ void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) con
         const float u = query.hit.u[k], v = query.hit.v[k];
         if (std::min({u, v, 1.0f - u - v}) < triangles_[triangle].edge_share)
             resolve_edge(landings, k, origin, 0, triangle);
-    }
-}
-
-/// Where they land follows from the place on the triangle that is hit, in its own frame: from the
-/// length of the ray it would be known no better than that.
-void RayScene::land_in_frame(FrameIndex f, std::uint32_t chosen, const RayBatch& rays, int count,
-                             LandingBatch& landings) const {
-    RTCRayHit16 query;
-    alignas(64) std::array<int, ray_batch> valid;
-    fill_query(rays, count, std::numeric_limits<float>::infinity(), query.ray, valid, chosen);
-    std::fill_n(query.hit.geomID, ray_batch, RTC_INVALID_GEOMETRY_ID);
-    std::fill_n(query.hit.instID[0], ray_batch, RTC_INVALID_GEOMETRY_ID);
-    intersect(device_->whole[f], valid, query);
-    for (int k = 0; k < count; ++k) {
-        if (!((chosen >> k) & 1u)) continue;
-        if (query.hit.geomID[k] == RTC_INVALID_GEOMETRY_ID) {
-            landings.landing[k] = Landing::escaped;
-            continue;
-        }
-        const std::uint32_t triangle = first_[query.hit.instID[0][k]] + query.hit.primID[k];
-        const RayPoint origin(rays.ox[k], rays.oy[k], rays.oz[k]),
-            direction(rays.dx[k], rays.dy[k], rays.dz[k]);
-        const float u = query.hit.u[k], v = query.hit.v[k];
-        const auto& [a, b, c] = corners_[triangle];
-        set_landing(landings, k, triangles_[triangle].surface, a + u * (b - a) + v * (c - a),
-                    direction);
-        if (std::min({u, v, 1.0f - u - v}) < triangles_[triangle].edge_share)
-            resolve_edge(landings, k, origin, f, triangle);
     }
 }
 
@@ -344,13 +157,7 @@ void RayScene::resolve_edge(LandingBatch& landings, int k, const RayPoint& origi
     query.ray.tfar = 1.0f;
     query.ray.mask = ~0u;
     query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-#if RTC_VERSION_MAJOR >= 4
-    rtcIntersect1(device_->whole[frame_of_origin], &query, nullptr);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(device_->whole[frame_of_origin], &context, &query);
-#endif
+    intersect(embree_->seen_from(frame_of_origin), query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
     if (frames() == 1) {
         set_landing(landings, k, triangles_[query.hit.primID].surface,
@@ -383,41 +190,12 @@ void RayScene::resolve_contact(LandingBatch& landings, int k, const RayPoint& di
 std::uint32_t RayScene::blocked(const RayBatch& segments, int count) const {
     if (frames() > 1) return blocked_between_frames(segments, count);
     RTCRay16 query;
-    alignas(64) std::array<int, ray_batch> valid;
+    alignas(64) RayLanes valid;
     fill_query(segments, count, 1.0f, query, valid);
-    occlude(device_->whole[0], valid, query);
+    occlude(embree_->seen_from(0), valid, query);
     std::uint32_t bits = 0;
     for (int k = 0; k < count; ++k)
         if (query.tfar[k] < 0.0f) bits |= 1u << k;
-    return bits;
-}
-
-std::uint32_t RayScene::blocked_between_frames(const RayBatch& segments, int count) const {
-    std::uint32_t bits = 0, across = 0;
-    RayBatch back;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-        if (segments.frame[k] == segments.end_frame[k]) continue;
-        across |= 1u << k;
-        back.ox[k] = segments.ex[k], back.oy[k] = segments.ey[k], back.oz[k] = segments.ez[k];
-        back.dx[k] = -segments.dx[k], back.dy[k] = -segments.dy[k], back.dz[k] = -segments.dz[k];
-    }
-    const auto trace = [&](const RayBatch& rays, const std::array<FrameIndex, ray_batch>& frames_of,
-                           std::uint32_t lanes, float end) {
-        while (lanes != 0) {
-            const FrameIndex f = frames_of[static_cast<std::size_t>(std::countr_zero(lanes))];
-            const std::uint32_t chosen = lanes & lanes_of(f, frames_of);
-            RTCRay16 query;
-            alignas(64) std::array<int, ray_batch> valid;
-            fill_query(rays, count, end, query, valid, chosen);
-            occlude(device_->whole[f], valid, query);
-            for (int k = 0; k < count; ++k)
-                if (((chosen >> k) & 1u) && query.tfar[k] < 0.0f) bits |= 1u << k;
-            lanes &= ~chosen;
-        }
-    };
-    trace(segments, segments.frame, ((1u << count) - 1u) & ~across, 1.0f);
-    trace(segments, segments.frame, across, 0.5f);
-    trace(back, segments.end_frame, across & ~bits, 0.5f);
     return bits;
 }
 

@@ -35,6 +35,8 @@ struct alignas(64) LandingBatch {
     std::array<float, ray_batch> x, y, z;         // where, in the frame of that surface
 };
 
+class EmbreeScene;
+
 /// The scene's polygons as Embree sees them, whole and not cut into patches: fewer triangles, and
 /// no crack between patches. Safe to use from several threads.
 class RayScene {
@@ -94,7 +96,6 @@ class RayScene {
     std::uint32_t blocked(const RayBatch& segments, int count) const;
 
   private:
-    struct Device;
     struct Triangle {
         SurfaceIndex surface = 0;
         RayPoint centre;
@@ -108,6 +109,7 @@ class RayScene {
 
     void find_lifts(const Scene& scene, const CoplanarOverlaps& overlaps);
     void build(const Scene& scene);
+    void land_between_frames(const RayBatch& rays, int count, LandingBatch& landings) const;
     void land_in_frame(FrameIndex f, std::uint32_t chosen, const RayBatch& rays, int count,
                        LandingBatch& landings) const;
     std::uint32_t blocked_between_frames(const RayBatch& segments, int count) const;
@@ -128,7 +130,7 @@ class RayScene {
     std::vector<std::uint32_t> first_;  // triangle of each frame
     std::vector<std::vector<SurfaceIndex>> partners_;
     std::vector<Outline> outlines_;  // in ray space; empty where there are no partners
-    std::unique_ptr<Device> device_;
+    std::unique_ptr<EmbreeScene> embree_;
 };
 
 }  // namespace patchlight

@@ -22,12 +22,6 @@ constexpr double no_area = 1e-9;       // of the square of a piece's size: nothi
 
 using Outline = std::vector<Vec2>;
 
-double area_of(const Outline& p) {
-    double area = 0.0;
-    for (std::size_t k = 1; k + 1 < p.size(); ++k) area += 0.5 * turn(p[0], p[k], p[k + 1]);
-    return area;
-}
-
 /// The part of a convex polygon in another, both counter-clockwise.
 Outline within(Outline part, std::span<const Vec2> other) {
     for (std::size_t k = 0; k < other.size() && part.size() >= 3; ++k)
@@ -66,7 +60,7 @@ void add_piece(const std::vector<Outline>& parts, std::span<const Vec2> cell, do
         if (piece.size() < 3) continue;
         Eigen::AlignedBox2d box;
         for (const Vec2& p : piece) box.extend(p);
-        if (area_of(piece) > no_area * box.diagonal().squaredNorm())
+        if (signed_area(piece) > no_area * box.diagonal().squaredNorm())
             pieces.push_back({std::move(piece), coarseness});
     }
 }
@@ -96,7 +90,7 @@ PlaneFrame plane_about(const Vec3& origin, const Vec3& normal) {
     return frame_of(origin, flip ? Vec3(-normal) : normal);
 }
 
-std::vector<Surface> cut(const Surface& surface, const LocalFrame& frame) {
+std::vector<Surface> pieces_of(const Surface& surface, const LocalFrame& frame) {
     const double height = (frame.origin() - surface.corners[0]).dot(surface.normal);
     const PlaneFrame plane = plane_about(frame.origin() - height * surface.normal, surface.normal);
     const bool flipped = plane.normal.dot(surface.normal) < 0.0;
@@ -109,7 +103,7 @@ std::vector<Surface> cut(const Surface& surface, const LocalFrame& frame) {
         Surface piece = surface;
         piece.cut_from_larger = true;
         piece.coarseness = coarseness;
-        piece.area = std::abs(area_of(flat));
+        piece.area = std::abs(signed_area(flat));
         piece.corners.clear();
         for (const Vec2& q : flat) {
             Vec3 p = plane.lift(q);
@@ -140,7 +134,7 @@ void cut_far_reaching(Scene& scene, const std::vector<LocalFrame>& frames) {
                 surfaces.push_back(std::move(surface));
                 continue;
             }
-            for (Surface& piece : cut(surface, frame)) surfaces.push_back(std::move(piece));
+            for (Surface& piece : pieces_of(surface, frame)) surfaces.push_back(std::move(piece));
         }
         scene.surfaces = std::move(surfaces);
     }

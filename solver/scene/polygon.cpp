@@ -28,6 +28,12 @@ Vec3 centroid(std::span<const Vec3> corners, const Vec3& normal) {
     return area > 0.0 ? Vec3(corners[0] + moment / area) : corners[0];
 }
 
+double signed_area(std::span<const Vec2> p) {
+    double area = 0.0;
+    for (std::size_t k = 1; k + 1 < p.size(); ++k) area += 0.5 * turn(p[0], p[k], p[k + 1]);
+    return area;
+}
+
 PlaneFrame frame_of(const Vec3& origin, const Vec3& n) {
     // Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
     const double sign = std::copysign(1.0, n.z());

@@ -41,6 +41,9 @@ inline double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
+/// Signed area of a polygon: positive if counter-clockwise [m²].
+double signed_area(std::span<const Vec2> polygon);
+
 /// Cuts a simple counter-clockwise polygon into triangles by clipping ears, best-shaped first
 /// (Meisters, "Polygons have ears", 1975). Fewer than n - 2 triangles: the polygon is not simple.
 std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const Vec2> polygon);

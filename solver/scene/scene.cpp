@@ -75,7 +75,7 @@ bool is_planar(std::span<const Vec3> corners, const Vec3& normal, double size) {
     });
 }
 
-std::vector<std::array<std::uint32_t, 3>> cut(std::span<const Vec2> flat) {
+std::vector<std::array<std::uint32_t, 3>> cut_ears(std::span<const Vec2> flat) {
     if (flat.size() == 4 && turn(flat[0], flat[1], flat[2]) > 0 &&
         turn(flat[0], flat[2], flat[3]) > 0)
         return {{0, 1, 2}, {0, 2, 3}};
@@ -171,7 +171,7 @@ void add_polygon(Scene& scene, ObjectIndex object, MaterialIndex material, std::
     const PlaneFrame frame = frame_of(corners[0], normal);
     std::vector<Vec2> flat;
     for (const Vec3& p : corners) flat.push_back(frame.flat(p));
-    const auto triangles = cut(flat);
+    const auto triangles = cut_ears(flat);
     if (triangles.size() + 2 != corners.size() || crosses_itself(flat)) {
         if (add_keyhole(scene, surface, corners, size, pointer)) return;
         throw InputError(pointer, crossing);

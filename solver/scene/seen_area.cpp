@@ -13,13 +13,7 @@ constexpr double nothing = 1e-9;  // of the surface: what rounding leaves at the
 
 using Outline = std::vector<Vec2>;
 
-double area_of(const Outline& p) {
-    double area = 0.0;
-    for (std::size_t k = 1; k + 1 < p.size(); ++k) area += 0.5 * turn(p[0], p[k], p[k + 1]);
-    return area;
-}
-
-std::vector<Outline> triangles_of(const Surface& surface, const PlaneFrame& frame) {
+std::vector<Outline> flat_triangles_of(const Surface& surface, const PlaneFrame& frame) {
     Outline flat;
     for (const Vec3& p : surface.corners) flat.push_back(frame.flat(p));
     std::vector<Outline> triangles;
@@ -46,7 +40,8 @@ std::vector<Outline> without(const std::vector<Outline>& pieces, const Outline& 
         for (std::size_t k = 0; k < 3 && piece.size() >= 3; ++k) {
             const Vec2 &a = triangle[k], &b = triangle[(k + 1) % 3];
             Outline beyond = clip_left(piece, b, a);
-            if (beyond.size() >= 3 && area_of(beyond) > least) left.push_back(std::move(beyond));
+            if (beyond.size() >= 3 && signed_area(beyond) > least)
+                left.push_back(std::move(beyond));
             piece = clip_left(piece, a, b);
         }
     }
@@ -56,14 +51,14 @@ std::vector<Outline> without(const std::vector<Outline>& pieces, const Outline& 
 double seen_area(const Scene& scene, const Surface& surface,
                  const std::vector<SurfaceIndex>& covers) {
     const PlaneFrame frame = frame_of(surface.corners[0], surface.normal);
-    std::vector<Outline> pieces = triangles_of(surface, frame);
+    std::vector<Outline> pieces = flat_triangles_of(surface, frame);
     for (const SurfaceIndex cover : covers) {
-        for (const Outline& triangle : triangles_of(scene.surfaces[cover], frame))
+        for (const Outline& triangle : flat_triangles_of(scene.surfaces[cover], frame))
             pieces = without(pieces, triangle, nothing * nothing * surface.area);
         if (pieces.empty()) return 0.0;
     }
     double area = 0.0;
-    for (const Outline& piece : pieces) area += area_of(piece);
+    for (const Outline& piece : pieces) area += signed_area(piece);
     return area > nothing * surface.area ? area : 0.0;
 }
 

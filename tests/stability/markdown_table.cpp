@@ -11,7 +11,7 @@ namespace patchlight::stability {
 
 namespace {
 
-constexpr double factor = 2.0;       // between figures that agree
+constexpr double agreement = 2.0;    // between figures that agree
 constexpr double negligible = 1e-5;  // below: rounding, which compilers and libraries may change
 
 std::string line_of(const std::vector<std::string>& cells) {
@@ -55,8 +55,8 @@ bool agree(const std::string& a, const std::string& b) {
     const double x = std::strtod(a.c_str(), &end_a), y = std::strtod(b.c_str(), &end_b);
     if (a.empty() || b.empty() || *end_a != '\0' || *end_b != '\0') return false;
     if (std::abs(x) < negligible && std::abs(y) < negligible) return true;
-    return x * y > 0.0 && std::abs(x) <= factor * std::abs(y) &&
-           std::abs(y) <= factor * std::abs(x);
+    return x * y > 0.0 && std::abs(x) <= agreement * std::abs(y) &&
+           std::abs(y) <= agreement * std::abs(x);
 }
 
 bool cells_agree(const std::string& a, const std::string& b) {

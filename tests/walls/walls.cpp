@@ -47,7 +47,7 @@ const std::vector<Door> doors = {
     {"solver/scene/", scene},
     {"solver/mesh/", mesh},
     {"solver/rays/", rays},
-    {"solver/rays/ray_scene.cpp", rays + Paths{"embree3/", "embree4/"}},
+    {"solver/rays/embree_scene.h", rays + Paths{"embree3/", "embree4/"}},
     {"solver/findings/", findings},
     {"solver/form_factors/", form_factors},
     {"solver/form_factors/hemicube",
@@ -135,6 +135,21 @@ std::vector<std::string> sources_below(const std::filesystem::path& root) {
                 sources.push_back(entry.path().lexically_relative(root).generic_string());
     std::sort(sources.begin(), sources.end());
     return sources;
+}
+
+std::vector<std::string> hidden_functions(std::string_view source) {
+    // Type, name and bracket at the left edge; members are named behind a `::`.
+    static const std::regex function(R"(^[A-Za-z_][^=;(]*[ *&>](\w+)\()");
+    std::vector<std::string> names;
+    std::istringstream lines{std::string(source)};
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line == "namespace {") inside = true;
+        if (line == "}  // namespace") inside = false;
+        std::smatch found;
+        if (inside && std::regex_search(line, found, function)) names.push_back(found[1]);
+    }
+    return names;
 }
 
 }  // namespace patchlight::walls

@@ -22,4 +22,8 @@ std::vector<std::string> crossings(std::string_view file, std::string_view sourc
 /// Every .h and .cpp file of raster/, solver/ and server/, from the root, sorted.
 std::vector<std::string> sources_below(const std::filesystem::path& root);
 
+/// Names of the functions that stand in anonymous namespaces of a source, laid out as clang-format
+/// leaves it.
+std::vector<std::string> hidden_functions(std::string_view source);
+
 }  // namespace patchlight::walls

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 namespace patchlight::walls::walls_test {
 namespace {
@@ -30,6 +31,29 @@ TEST(Walls, AreCrossedByNoInclude) {
     for (const std::string& file : sources_below(root))
         for (const std::string& crossing : crossings(file, read(root / file)))
             ADD_FAILURE() << crossing;
+}
+
+/// Files of a folder are compiled together, where the one's call may find the other's function and
+/// no compiler says so.
+TEST(Walls, NoTwoFilesOfAFolderHaveAHiddenFunctionOfOneName) {
+    std::map<std::string, std::string> file_of;
+    for (const std::string& file : sources_below(root)) {
+        const std::string folder = std::filesystem::path(file).parent_path().string();
+        for (const std::string& name : hidden_functions(read(root / file))) {
+            const auto [known, is_new] = file_of.try_emplace(folder + "/" + name, file);
+            EXPECT_TRUE(is_new || known->second == file)
+                << name << " of " << file << " and of " << known->second;
+        }
+    }
+    EXPECT_GT(file_of.size(), 500U);
+}
+
+TEST(Walls, HiddenFunctionsAreFound) {
+    EXPECT_EQ(hidden_functions("int seen(int x) {\nnamespace {\n"
+                               "constexpr int x = f(2);\nstd::vector<int> two_of(int x) {\n"
+                               "    return other(x);\n}\nvoid Walls::member() {}\n"
+                               "char* three(\n}  // namespace\nint late() {}\n"),
+              (std::vector<std::string>{"two_of", "three"}));
 }
 
 TEST(Walls, EverySourceFileIsLookedAt) {
@@ -84,7 +108,7 @@ TEST(Walls, SolverKnowsNeitherServerNorJsonNorPrinting) {
 TEST(Walls, EmbreeLivesInOneFile) {
     expect_crossing("solver/rays/patch_sampler.cpp", "<embree3/rtcore.h>");
     expect_crossing("solver/form_factors/analytic_engine.cpp", "<embree4/rtcore.h>");
-    expect_open("solver/rays/ray_scene.cpp", "<embree4/rtcore.h>");
+    expect_open("solver/rays/embree_scene.h", "<embree4/rtcore.h>");
 }
 
 TEST(Walls, LowerRoomsOfTheSolverNeverIncludeHigherOnes) {
