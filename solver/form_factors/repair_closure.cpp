@@ -46,8 +46,9 @@ struct Uncertain {
         }
         leave_out_hopeless_rows(matrix);
     }
-    /// Rows that no allowed change closes, as where surfaces pass through each other. To ask for it
-    /// all the same would push their neighbours away without end.
+    /// Rows that no allowed change closes, as where surfaces pass through each other, and those of
+    /// which less is uncertain than float entries round: the wall of a hall, of a box that it
+    /// hardly sees. To ask for it all the same would push their neighbours away without end.
     void leave_out_hopeless_rows(const ExchangeMatrix& matrix) {
         std::vector<double> least(matrix.size(), 0.0), most(matrix.size(), 0.0);
         for (PatchIndex i = 0; i < matrix.size(); ++i)
@@ -68,7 +69,8 @@ struct Uncertain {
                 least[i] += uncertainty > 0.0 ? 0.0 : share * a;
                 most[i] += uncertainty > 0.0 ? a : share * a;
             }
-            if (least[i] > a + slack || most[i] < a - slack) diagonal[i] = 0.0;
+            if (least[i] > a + slack || most[i] < a - slack || most[i] - least[i] < slack)
+                diagonal[i] = 0.0;
         }
     }
     template <typename Visit>

@@ -100,6 +100,13 @@ TEST_F(FarGeometry, ARoomLikeItFarAwayChangesNothing) {
     expect_same(with(room, moved(room, {1.0, Vec3(1e5, 0, 0)})));
 }
 
+TEST_F(FarGeometry, ARoomOfACentimetreInAHallOfAKilometreIsTheSame) {
+    const Motion motion{1e-2 / 4.0, Vec3(300, 200, 50)};
+    Scene hall = empty_scene();
+    add_box(hall, Vec3::Zero(), Vec3(1000, 800, 200), Facing::inwards);
+    expect_same(with(with_sensors_moved(moved(room, motion), room, motion), hall), motion.scale);
+}
+
 TEST_F(FarGeometry, ARoomOfMillimetresOrKilometresIsTheSame) {
     for (const double scale : {1e-3, 1e3}) {
         const Motion motion{scale};
