@@ -1,7 +1,7 @@
 #include "solver/accuracy/energy.h"
 #include "solver/accuracy/error_measure.h"
 #include "solver/accuracy/next_aim.h"
-#include "solver/display/sensor_light.h"
+#include "solver/accuracy/sensor_light.h"
 #include "solver/display/vertex_radiosity.h"
 #include "solver/form_factors/outside_rays.h"
 #include "solver/make_engine.h"
@@ -231,6 +231,7 @@ void AccuracySolve::light_sensors() {
     if (stage_.scene.sensors.empty() || !light_.field()) return;
     SensorEffort effort;
     effort.rays = std::clamp(2 * aim_.rays, 512, most_rays);
+    effort.rays_of_look = std::max(64, aim_.rays / 128 * 32);
     effort.seed = seed(0x73656e73);
     solution_.sensors = light_at_sensors(
         stage_.scene, stage_.rays, light_.pass().points().gather(), *light_.field(), effort,

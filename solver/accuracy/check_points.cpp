@@ -49,8 +49,6 @@ TrianglePick make_pick(const TreeDisplay& shown) {
     return pick;
 }
 
-double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
-
 /// A random point of the display.
 struct CheckPoint {
     std::size_t triangle = 0;

@@ -16,6 +16,9 @@ inline std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
     return x ^ (x >> 31);
 }
 
+/// A number in [0, 1) out of mixed bits.
+inline double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+
 /// Nested uniform scramble of a number whose bits are in reverse order
 /// (Laine & Karras 2011; constants of Burley, "Practical Hash-based Owen Scrambling", 2020).
 /// Also for vectors of such numbers.

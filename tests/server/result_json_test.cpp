@@ -39,6 +39,8 @@ TEST(ResultJson, QuantitiesAreWhereTheyBelong) {
     EXPECT_EQ(result["objects"][1]["name"], "floor");
     EXPECT_EQ(result["objects"][1]["irradiance"].dump(), "[22.5,20.0,17.5]");
     EXPECT_EQ(result["objects"][0]["max"].dump(), "[104.0,103.0,102.0]");
+    EXPECT_FALSE(result["objects"][0].contains("error")) << "too few points tell it";
+    EXPECT_EQ(result["objects"][1]["error"], 0.25);
     EXPECT_EQ(result["findings"][0]["objects"][0], "floor");
     EXPECT_EQ(result["findings"][0]["count"], 3);
     EXPECT_EQ(

@@ -43,6 +43,7 @@ Solution small_solution() {
     solution.display.triangles = {{0, 1, 2}};
     solution.display.patch = {1};
     solution.error.algebraic_bound = 5e-5;
+    solution.error.of_object = {std::nullopt, 0.25};
     solution.energy = {Rgb(200, 200, 200), Rgb(10, 9, 8), Rgb(1, 1, 1), Rgb(189, 190, 191), 1e-9};
     solution.form_factors.measured = {0.1, 0.5, 0.3, 0.01, 0.02};
     solution.form_factors.repaired = {0.1, 0.4, 0.25, 0.001, 1e-8};

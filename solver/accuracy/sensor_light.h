@@ -11,7 +11,8 @@ namespace patchlight {
 /// Of each of four parts that are gathered apart.
 struct SensorEffort {
     DirectEffort direct{32, 2048};
-    int rays = 2048;  // over the hemisphere
+    int rays = 2048;         // over the hemisphere, a multiple of 32
+    int rays_of_look = 256;  // at each of 16 places that the sensor sees, likewise
     std::uint64_t seed = 0;
 };
 
