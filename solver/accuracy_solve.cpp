@@ -19,15 +19,10 @@ namespace patchlight {
 
 namespace {
 
-/// Shares of the target that causes of error are planned to have. What they come to is measured.
-constexpr double direct_share = 0.12, indirect_share = 0.25, noise_share = 0.31;
 constexpr double coarser = 2.0;  // times the target, in rounds that tell what the last ones need
 constexpr double settled = 0.5;  // of the target: changes that need no further round
 constexpr double one_round = 0.015;     // targets from here on need no rounds before
 constexpr double still_settling = 0.7;  // of the error before: rounds still bring it down
-constexpr double samples_at = 384.0, samples_for = 0.01;  // of a lamp seen in part, for a target
-constexpr double first_for = 0.5;                         // samples of each lamp, times the target
-constexpr int most_first = 512;
 constexpr double direct_noise = 0.25;   // of the target, that samples of lamps leave
 constexpr double balanced = 0.02;       // of the target, that may be missing of the energy
 constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
@@ -69,6 +64,7 @@ class AccuracySolve {
     void aim_closer();
     bool is_settling();
     bool settle();
+    void refine(bool gathered);
     void account();
     void finish();
     void light_sensors();
@@ -182,17 +178,26 @@ bool AccuracySolve::settle() {
     return true;
 }
 
+/// Rounds, until what is measured is within the target.
+void AccuracySolve::refine(bool gathered) {
+    int contradicted = 0;
+    for (int round = 0; gathered && round < most_rounds; ++round) {
+        measure();
+        if (solution_.error.met()) {
+            solution_.status = Status::converged;
+            break;
+        }
+        if (measured_->error.transport && ++contradicted > most_contradictions) break;
+        aim_closer();
+        gathered = gather(1.0);
+    }
+}
+
 void AccuracySolve::run() {
     solution_.error.target = target_;
     solution_.status = Status::limit;
     const double first_target = target_ < one_round ? coarser * target_ : target_;
-    aim_.direct = direct_share * first_target;
-    aim_.indirect = indirect_share * first_target;
-    // The noise of a penumbra falls as n^-0.75.
-    const double samples = samples_at * std::pow(samples_for / target_, 1.4);
-    const double first = first_for / target_;
-    aim_.effort = {16 * static_cast<int>(std::clamp(first / 16.0, 1.0, most_first / 16.0)),
-                   static_cast<int>(std::clamp(samples, 64.0, 8192.0))};
+    aim_ = first_aim(target_, first_target, fewest_rays);
     const auto observe_solve = [this](int iteration, double residual) {
         return observe(iteration, residual);
     };
@@ -200,26 +205,17 @@ void AccuracySolve::run() {
         light_.start(*transport_, backs_, energy_aim(), aim_.effort, direct_noise * target_,
                      *solution_.settings.tolerance, observe_solve)) {
         aim_.rays = light_.noise().rays_for(
-            noise_share * first_target * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
+            first_noise(first_target) * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();
         if (!light_.reflects()) {  // nothing is sent back, so nothing can be wrong
             if (gather(1.0)) solution_.status = Status::converged;
         } else {
-            int contradicted = 0;
-            bool gathered = first_target > target_ ? settle() : gather(1.0);
-            for (int round = 0; gathered && round < most_rounds; ++round) {
-                measure();
-                if (solution_.error.met()) {
-                    solution_.status = Status::converged;
-                    break;
-                }
-                if (measured_->error.transport && ++contradicted > most_contradictions) break;
-                aim_closer();
-                gathered = gather(1.0);
-            }
-            if (stopped_ != StopReason::cancelled && light_.shown() && !measured_) measure();
-            if (measured_ && !measured_->error.transport) check_from_lamps();
+            refine(first_target > target_ ? settle() : gather(1.0));
         }
+    }
+    if (stopped_ != StopReason::cancelled && light_.shown() && light_.reflects()) {
+        if (!measured_) measure();
+        if (!measured_->error.transport) check_from_lamps();
     }
     if (stopped_ == StopReason::cancelled) solution_.status = Status::cancelled;
     finish();

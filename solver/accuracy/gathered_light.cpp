@@ -52,18 +52,20 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     coarse_.emplace(scene_, mesh_, transport, other_exitance_);
     if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
         exact_direct_ = to_rgb(*once);
-    if (!pass_.refine_direct({whatever_is_missed, first_elements}, effort)) {
-        show_what_there_is(tolerance);
-        return false;
+    const auto solve_once = [&] {
+        return pass_.refine_direct({whatever_is_missed, first_elements}, effort) &&
+               solve_coarse(tolerance, observe);
+    };
+    bool is_whole = solve_once();
+    const double too_much = is_whole ? pass_.direct_noise() / (noise * norm()) : 0.0;
+    if (too_much > 1.0 && effort.most < most_samples) {
+        effort.most = static_cast<int>(
+            std::min(effort.most * std::pow(too_much, 1.0 / noise_decay), double{most_samples}));
+        pass_.restart_direct();
+        is_whole = solve_once();
     }
-    if (!solve_coarse(tolerance, observe)) return false;
-    const double too_much = pass_.direct_noise() / (noise * norm());
-    if (!(too_much > 1.0) || effort.most >= most_samples) return true;
-    effort.most = static_cast<int>(
-        std::min(effort.most * std::pow(too_much, 1.0 / noise_decay), double{most_samples}));
-    pass_.restart_direct();
-    return pass_.refine_direct({whatever_is_missed, first_elements}, effort) &&
-           solve_coarse(tolerance, observe);
+    if (!is_whole) show_what_there_is(tolerance);
+    return is_whole;
 }
 
 bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observe& observe) {

@@ -6,6 +6,12 @@
 
 namespace patchlight {
 
+/// What the first round aims at, before anything is measured: the least work that `first_target`
+/// takes. Lamps are sampled for `target` from the start, as their samples are not joined.
+GatherAim first_aim(double target, double first_target, int rays);
+/// The noise of rays that goes with it, over `norm` [1].
+double first_noise(double first_target);
+
 /// What a round of gathering missed, over `norm`, as it counts in the estimate [1].
 struct RoundErrors {
     double direct = 0.0, indirect = 0.0;  // measured at check points

@@ -17,8 +17,7 @@ constexpr double lift_off_partner = 1.2;  // of the contact distance [1]
 constexpr double lift_alone = 3.5;
 constexpr double float_step = 0x1p-23;
 constexpr float inside_edge = 4.0f;  // contact distances: where a hit on an edge is looked at again
-constexpr float largest_share = 0.05f;      // of a triangle's height, that counts as its edge
-constexpr float beyond_everything = 16.0f;  // ray space is 2 across where there is one frame
+constexpr float largest_share = 0.05f;  // of a triangle's height, that counts as its edge
 
 /// One over the radius of the smallest frame [1/m].
 double scale_of(const std::vector<LocalFrame>& frames) {
@@ -111,7 +110,7 @@ void RayScene::land(const RayBatch& rays, int count, LandingBatch& landings) con
     }
     RTCRayHit16 query;
     alignas(64) RayLanes valid;
-    fill_query(rays, count, beyond_everything, query.ray, valid);
+    fill_query(rays, count, std::numeric_limits<float>::infinity(), query.ray, valid);
     std::fill_n(query.hit.geomID, ray_batch, RTC_INVALID_GEOMETRY_ID);
     intersect(embree_->seen_from(0), valid, query);
     for (int k = 0; k < count; ++k) {
