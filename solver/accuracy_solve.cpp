@@ -226,6 +226,7 @@ void AccuracySolve::run() {
 void AccuracySolve::light_sensors() {
     if (stage_.scene.sensors.empty() || !light_.field()) return;
     SensorEffort effort;
+    effort.direct.bright = aim_.effort.bright;
     effort.rays = std::clamp(2 * aim_.rays, 512, most_rays);
     effort.rays_of_look = std::max(64, aim_.rays / 128 * 32);
     effort.seed = seed(0x73656e73);

@@ -16,6 +16,7 @@ constexpr double left_of_bends = 0.3;  // that triangles miss, beside what gathe
 constexpr double first_elements = 4000.0, root_elements = 400.0, most_elements = 8000.0;
 constexpr double noise_decay = 0.75;  // of a penumbra, with the number of samples of a lamp
 constexpr int most_samples = 8192;
+constexpr double bright_lamp = 16.0;  // times the mean: a lamp that must not be missed in part
 constexpr double correction_tolerance = 0.1;  // of a correction that is itself small [1]
 }  // namespace
 
@@ -57,6 +58,7 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
                solve_coarse(tolerance, observe);
     };
     bool is_whole = solve_once();
+    if (is_whole) effort.bright = bright_lamp * mean_irradiance();
     const double too_much = is_whole ? pass_.direct_noise() / (noise * norm()) : 0.0;
     if (too_much > 1.0 && effort.most < most_samples) {
         effort.most = static_cast<int>(
@@ -84,13 +86,23 @@ double GatheredLight::hardly_any() const {
 }
 
 double GatheredLight::norm() const {
-    if (reflects()) return coarse_->norm();
+    if (reflects()) return std::max(coarse_->norm(), shown_norm_);
     double sum = 0.0;
     for (PatchIndex i = 0; i < mesh_.size(); ++i) {
         const double y = DisplayPass::least_weight * luminance(direct_means_[i]);
         sum += mesh_.patches[i].area * y * y;
     }
     return std::max(std::sqrt(sum), DisplayPass::least_weight * hardly_any());
+}
+
+double GatheredLight::mean_irradiance() const {
+    double sum = 0.0, area = 0.0;
+    for (PatchIndex i = 0; i < mesh_.size(); ++i) {
+        const double a = mesh_.patches[i].covered ? 0.0 : mesh_.patches[i].area;
+        sum += a * luminance(direct_means_[i] + coarse_->irradiance()[i]);
+        area += a;
+    }
+    return area > 0.0 ? sum / area : 0.0;
 }
 
 /// Means over patches: direct light of those that nothing can shade from the matrix, where it is
@@ -198,6 +210,9 @@ void GatheredLight::show(const SplitIrradiance& gathered) {
     field_ = make_field(table_of(*shown_));
     direct_shown_ = pass_.direct().gathered();
     direct_means_ = gathered.direct;
+    double square = 0.0;
+    for (const double norm : displayed_norms(scene_, mesh_, *shown_)) square += norm * norm;
+    shown_norm_ = std::sqrt(square);
     const SplitIrradiance corrected = patch_means(*shown_, mesh_.size());
     for (std::size_t i = 0; i < irradiance_.size(); ++i) {
         irradiance_[i] = direct_means_[i] + corrected.indirect[i];
@@ -224,7 +239,15 @@ CheckReport GatheredLight::check(const CheckEffort& effort, std::uint64_t seed) 
 ReflectedLight GatheredLight::reflected() const {
     std::vector<Rgb> reflected = field_means_;
     for (std::size_t i = 0; i < reflected.size(); ++i) reflected[i] -= other_exitance_[i];
-    return measure_reflected(scene_, mesh_, reflected, direct_means_);
+    ReflectedLight light = measure_reflected(scene_, mesh_, reflected, direct_means_);
+    const std::vector<double> displayed = displayed_norms(scene_, mesh_, *shown_);
+    double square = 0.0;
+    for (std::size_t o = 0; o < displayed.size(); ++o) {
+        light.norm_of_object[o] = std::max(light.norm_of_object[o], displayed[o]);
+        square += light.norm_of_object[o] * light.norm_of_object[o];
+    }
+    light.norm = std::sqrt(square);
+    return light;
 }
 
 }  // namespace patchlight

@@ -55,7 +55,8 @@ class GatheredLight {
     ReflectedLight reflected() const;
     /// Whether rays of the last round read the coarse solution, not what was displayed.
     bool read_coarsely() const { return read_coarsely_; }
-    double correction() const { return correction_.size; }  // of the last round, over `norm` [1]
+    /// What the last round changed, over `norm` [1].
+    double correction() const { return correction_.size * coarse_->norm() / norm(); }
 
     /// Where the light that is displayed goes; what is missing of it was corrected as far as it is
     /// sure.
@@ -73,6 +74,7 @@ class GatheredLight {
   private:
     void sort_exitance();
     double hardly_any() const;
+    double mean_irradiance() const;  // as the coarse solution has it [W/m²]
     SplitIrradiance means_of(const TreeDisplay& shown) const;
     FieldTable table_of(const TreeDisplay& shown) const;
     bool solve_coarse(double tolerance, const CoarseTransport::Observe& observe);
@@ -100,6 +102,7 @@ class GatheredLight {
     std::vector<Rgb> exact_direct_;  // the same by the matrix; right where nothing can shade
     std::vector<Rgb> irradiance_;
     CoarseSolution::Correction correction_;
+    double shown_norm_ = 0.0;  // of what is displayed [W/m]
     EnergyReport energy_;
     EnergyAim energy_aim_;
     std::optional<TreeDisplay> shown_;

@@ -1,6 +1,9 @@
 #include "solver/accuracy/judge.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace patchlight {
@@ -33,6 +36,30 @@ ReflectedLight measure_reflected(const Scene& scene, const PatchMesh& mesh,
     light.norm = std::sqrt(light.norm);
     if (at_once > 0.0) light.bounces = std::max(1.0, all / at_once);
     return light;
+}
+
+std::vector<double> displayed_norms(const Scene& scene, const PatchMesh& mesh,
+                                    const TreeDisplay& shown) {
+    std::vector<double> norms(scene.objects.size(), 0.0);
+    const DisplayMesh& display = shown.display;
+    for (std::size_t t = 0; t < display.triangles.size(); ++t) {
+        const Surface& surface = scene.surfaces[mesh.patches[display.patch[t]].surface];
+        const Rgb& reflectance = scene.materials[surface.material].reflectance;
+        const auto& [a, b, c] = display.triangles[t];
+        std::array<double, 3> y{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = display.triangles[t][k];
+            Rgb arriving = shown.arriving.indirect[v];
+            if (!shown.arriving.direct.empty()) arriving += shown.arriving.direct[v];
+            y[k] = luminance(reflectance * arriving);
+        }
+        const auto& p = display.positions;
+        const double area = 0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm(), sum = y[0] + y[1] + y[2],
+                     squares = y[0] * y[0] + y[1] * y[1] + y[2] * y[2];
+        norms[surface.object] += area * (sum * sum + squares) / 12.0;  // of a linear function
+    }
+    for (double& norm : norms) norm = std::sqrt(norm);
+    return norms;
 }
 
 namespace {

@@ -19,9 +19,14 @@ struct ReflectedLight {
     double bounces = 1.0;                // all light sent back over what is sent back at once [1]
     std::vector<double> norm_of_object;  // √∫ Y(B - E)² dA [W/m]
 };
-/// `once`: irradiance straight from sources, per patch [W/m²].
+/// From patches' means. `once`: irradiance straight from sources, per patch [W/m²].
 ReflectedLight measure_reflected(const Scene& scene, const PatchMesh& mesh,
                                  const std::vector<Rgb>& reflected, const std::vector<Rgb>& once);
+
+/// √∫ Y(B - E)² dA of each object as it is displayed, where small bright spots count for what they
+/// are and not as means of patches [W/m].
+std::vector<double> displayed_norms(const Scene& scene, const PatchMesh& mesh,
+                                    const TreeDisplay& shown);
 
 /// All that is known of how wrong a displayed field is. What is absent was not measured.
 struct Evidence {

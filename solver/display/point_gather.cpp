@@ -24,6 +24,13 @@ bool is_wide_from(const LightSource& source, const Vec3& from) {
            wide_for_height * wide_for_height * height * height;
 }
 
+/// Of a source that would give `whole` [W/m²].
+int first_samples(const DirectEffort& effort, double whole) {
+    if (!(whole > effort.bright)) return effort.first;
+    return static_cast<int>(
+        std::min<double>(effort.first * std::ceil(whole / effort.bright), effort.most));
+}
+
 /// Where a ray from `from` meets the front of a source.
 std::optional<Vec3> meet(const LightSource& source, const Vec3& from, const Vec3& way) {
     const auto& corners = source.polygon.corners;
@@ -141,12 +148,12 @@ PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEf
         double clear = 1.0;
         if (!point.clear || !(*point.clear)[s]) {
             const std::uint64_t stream = mix(key, s);
-            Share share;
-            sample(point, source, factor, stream, 0, effort.first, share);
-            if (share.mixed())
-                sample(point, source, factor, stream, effort.first, effort.most, share);
-            if (share.all > 0.0f) clear = static_cast<double>(share.clear / share.all);
             const double whole = factor * luminance(source.exitance);
+            const int first = first_samples(effort, whole);
+            Share share;
+            sample(point, source, factor, stream, 0, first, share);
+            if (share.mixed()) sample(point, source, factor, stream, first, effort.most, share);
+            if (share.all > 0.0f) clear = static_cast<double>(share.clear / share.all);
             sum.variance +=
                 outlines * whole * whole * clear * (1.0 - clear) * std::pow(effort.most, -1.5);
         }
