@@ -105,8 +105,8 @@ struct ObjectReport {
 
 struct SensorReport {
     Rgb irradiance = Rgb::Zero();  // gathered at the point [W/m²]
-    double reflected = 0.0;        // of it, what surfaces sent back, luminance [W/m²]
     double error = 0.0;  // the true value lies within two of them in 95 of 100, luminance [W/m²]
+    double reflected = 0.0;  // of it, what surfaces sent back, luminance [W/m²]
 };
 
 struct StageSeconds {

@@ -27,6 +27,21 @@ TEST(MeasureReflected, TellsNormsOfObjectsAndHowOftenLightIsSentBack) {
     EXPECT_NEAR(light.bounces, (2.0 * 3.0 + 1.0) / (2.0 * 2.0), rounding);
 }
 
+/// ∫ x² over the unit square is 1/3, where the mean would say 1/4.
+TEST(DisplayedNorms, CountASlopeForWhatItIs) {
+    const CutScene pieces = cut(scene_of(rectangle(Vec3::Zero(), x, y)), 9.0);
+    TreeDisplay shown;
+    shown.display.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    shown.display.triangles = {{0, 1, 2}, {0, 2, 3}};
+    shown.display.patch = {0, 0};
+    for (const double at : {0.0, 1.0, 1.0, 0.0}) {
+        shown.arriving.direct.push_back(Rgb::Constant(0.5 * at));
+        shown.arriving.indirect.push_back(Rgb::Constant(1.5 * at));
+    }  // reflectance is 0.5
+    const std::vector<double> norms = displayed_norms(pieces.scene, pieces.mesh, shown);
+    EXPECT_NEAR(norms.at(0), std::sqrt(1.0 / 3.0), rounding);
+}
+
 struct Judged {
     CheckReport checks;
     Evidence evidence;

@@ -67,6 +67,26 @@ TEST(PointGather, SeesHalfALampBehindAnEdge) {
     EXPECT_NEAR(found[0], half, 0.005 * half) << "4096 samples, one discontinuity";
 }
 
+/// Of a lamp of which 4 % are seen, 16 samples see nothing in about half of all places.
+TEST(PointGather, WhatIsTooBrightToBeMissedIsSampledMore) {
+    Scene scene = empty_scene();
+    add(scene, rectangle({0, 0, 0}, x, y));
+    add(scene, rectangle({0, 1, 1}, x, -y), lamp);
+    add(scene, rectangle({-1, 0.96, 0.999}, 3 * x, -2 * y), two_sided);
+    const Reader reader(scene, 1.0, [](const Vec3&) { return 0.0; });
+    const auto unseen = [&](double bright) {
+        int count = 0;
+        for (std::uint64_t key = 0; key < 200; ++key) {
+            const auto found =
+                reader.gather.direct(reader.at({0.5, 0.5, 0}, z), {16, 1024, bright}, key);
+            count += !(found.irradiance[0] > 0.0);
+        }
+        return count;
+    };
+    EXPECT_GT(unseen(1e9), 20);
+    EXPECT_EQ(unseen(0.2394 / 16.0), 0) << "a sixteenth of all that the lamp gives: 256 samples";
+}
+
 TEST(PointGather, TakesTheMeanOfARoomOfOneBrightness) {
     const Reader reader(room(), 0.5, [](const Vec3&) { return 2.0; });
     for (const Vec3& at : {Vec3(0.5, 0.5, 0), Vec3(0.01, 0.01, 0), Vec3(0.9, 0.2, 0)}) {

@@ -31,6 +31,13 @@ TEST(Land, NothingEscapesFromAClosedRoom) {
     EXPECT_EQ(not_on_a_front, 0);
 }
 
+TEST(Land, AShortDirectionLeadsAsFarAsALongOne) {
+    const Caster room_rays(room());
+    for (const double length : {1e-4, 1e-2, 1.0, 1e3})
+        EXPECT_EQ(room_rays.land(Vec3(0.5, 0.5, 0.1), length * z).landing, Landing::front)
+            << length;
+}
+
 TEST(Land, NothingEscapesAtEdgesAndCorners) {
     const Caster room_rays(room());
     std::mt19937 chance(2);
