@@ -83,7 +83,8 @@ Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight&
 MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed,
                                const std::function<bool()>& go_on) const {
     CheckEffort effort;
-    effort.direct = {std::max(64, 2 * aim.effort.first), 2 * aim.effort.most, aim.effort.bright};
+    effort.direct = {std::max(64, 2 * aim.effort.first), 2 * aim.effort.most, aim.effort.bright,
+                     0.5 * aim.effort.enough};
     effort.rays = std::clamp(aim.rays / 64 * 32, 256, 4096);
     effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
         light.pass().indirect().gathered() / vertices_per_check, 384, 4096));

@@ -58,7 +58,10 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
                solve_coarse(tolerance, observe);
     };
     bool is_whole = solve_once();
-    if (is_whole) effort.bright = bright_lamp * mean_irradiance();
+    if (is_whole) {
+        effort.bright = bright_lamp * mean_irradiance();
+        effort.enough = noise * mean_irradiance();
+    }
     const double too_much = is_whole ? pass_.direct_noise() / (noise * norm()) : 0.0;
     if (too_much > 1.0 && effort.most < most_samples) {
         effort.most = static_cast<int>(

@@ -29,7 +29,7 @@ float largest(const std::array<float, 3>& flux) { return std::max({flux[0], flux
 }  // namespace
 
 LightParticles::LightParticles(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                               const std::vector<Aperture>& apertures)
+                               const ApertureSet& apertures)
     : scene_(scene), mesh_(mesh), rays_(rays), apertures_(apertures) {
     RayPoint low = RayPoint::Constant(1e30f), high = -low;
     for (const Surface& surface : scene.surfaces) {
@@ -185,7 +185,7 @@ struct LightParticles::Tracer {
         if (flight.bounces > 0 || from.apertures_.empty()) return 1.0f;
         constexpr float short_of = 0.9999f;
         const RayPoint whole = at - flight.origin;
-        const int crossed = count_crossed(from.apertures_, flight.origin, whole);
+        const int crossed = from.apertures_.count_crossed(flight.origin, whole);
         if (flight.aperture_at == 0.0f) return crossed == 0 ? 1.0f : 0.0f;
         if (whole.norm() < short_of * flight.aperture_at) return 0.0f;
         return 1.0f / static_cast<float>(std::max(1, crossed));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/display/aperture.h"
+#include "solver/display/aperture_set.h"
 #include "solver/mesh/patch_mesh.h"
 #include "solver/rays/ray_scene.h"
 
@@ -40,7 +40,7 @@ class LightParticles {
   public:
     /// `apertures` must outlive it.
     LightParticles(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                   const std::vector<Aperture>& apertures);
+                   const ApertureSet& apertures);
 
     bool empty() const { return emitters_.empty(); }
     /// Landings of `count` particles, in order of their numbers.
@@ -65,7 +65,7 @@ class LightParticles {
     const Scene& scene_;
     const PatchMesh& mesh_;
     const RayScene& rays_;
-    const std::vector<Aperture>& apertures_;
+    const ApertureSet& apertures_;
     RayPoint centre_;  // of a sphere round all that sends light back [ray space]
     float radius_ = 0.0f;
     std::vector<Emitter> emitters_;

@@ -45,7 +45,7 @@ double mean_reflectance(const Scene& scene) {
 }  // namespace
 
 ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                                 const std::vector<Aperture>& apertures, const TreeDisplay& shown,
+                                 const ApertureSet& apertures, const TreeDisplay& shown,
                                  const ParticleEffort& effort, std::uint64_t seed) {
     ParticleEvidence evidence;
     const LightParticles particles(scene, mesh, rays, apertures);

@@ -22,7 +22,7 @@ struct ParticleEvidence {
 /// that is displayed. Where a lamp's particles agree, n of n, about 3/n of its light may go
 /// elsewhere: `doubt` is the error if that lands anywhere, spread over all there is.
 ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                                 const std::vector<Aperture>& apertures, const TreeDisplay& shown,
+                                 const ApertureSet& apertures, const TreeDisplay& shown,
                                  const ParticleEffort& effort, std::uint64_t seed);
 
 }  // namespace patchlight

@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
-
 namespace patchlight {
 
 Aperture make_aperture(const RayPoint& corner, const RayPoint& first_edge,
@@ -18,13 +16,6 @@ Aperture make_aperture(const RayPoint& corner, const RayPoint& first_edge,
     aperture.first_of = first_edge / first_edge.squaredNorm();
     aperture.second_of = second_edge / second_edge.squaredNorm();
     return aperture;
-}
-
-int count_crossed(const std::vector<Aperture>& apertures, const RayPoint& origin,
-                  const RayPoint& ray) {
-    return static_cast<int>(
-        std::count_if(apertures.begin(), apertures.end(),
-                      [&](const Aperture& aperture) { return aperture.crosses(origin, ray); }));
 }
 
 }  // namespace patchlight

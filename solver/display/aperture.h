@@ -2,8 +2,6 @@
 
 #include "solver/rays/ray_scene.h"
 
-#include <vector>
-
 namespace patchlight {
 
 /// A parallelogram in a gap between surfaces, through which a lamp lights what lies beyond: a slit,
@@ -28,11 +26,5 @@ struct Aperture {
 /// From a corner and two edges that are at right angles.
 Aperture make_aperture(const RayPoint& corner, const RayPoint& first_edge,
                        const RayPoint& second_edge);
-
-/// How many a segment crosses. Each that is sampled by itself counts a ray that crosses n of them
-/// 1/n times, and who samples lamps leaves out the rays that cross any: so all light counts once,
-/// wherever apertures were found.
-int count_crossed(const std::vector<Aperture>& apertures, const RayPoint& origin,
-                  const RayPoint& ray);
 
 }  // namespace patchlight

@@ -8,89 +8,144 @@ namespace patchlight {
 
 namespace {
 
-constexpr int fewest = ray_batch;  // samples of an aperture
-constexpr std::size_t many = 32;   // apertures
-constexpr int fewest_of_many = 4;
+constexpr int fewest = ray_batch;        // samples of an aperture
 constexpr float samples_of_size = 8.0f;  // times its size over the distance
 constexpr int most_at_first = 64, most_ever = 1024;
-constexpr double alike = 0.05;    // of their mean: samples that need no more beside them
-constexpr float reached = 1e-4f;  // of the way, by rounding
+constexpr int most_one_by_one = 256;  // first samples; else they are shared out among all
+constexpr double alike = 0.05;        // of their mean: samples that need no more beside them
+constexpr float reached = 1e-4f;      // of the way, by rounding
 /// A point for each of n strata, of the variance of n points by chance.
 constexpr double stratified = 0.5;
 
-bool is_below(const GatherPoint& point, const RayPoint& normal, const Aperture& aperture) {
-    const auto height = [&](const RayPoint& p) { return (p - point.origin).dot(normal); };
-    const RayPoint far = aperture.corner + aperture.first_edge + aperture.second_edge;
-    return height(aperture.corner) <= 0.0f && height(far) <= 0.0f &&
-           height(aperture.corner + aperture.first_edge) <= 0.0f &&
-           height(aperture.corner + aperture.second_edge) <= 0.0f;
-}
-
 }  // namespace
 
-/// ∫ E/π cosθ dω over the aperture, where a ray goes on to a source: dω = |cosθ'| dA / r². A ray
-/// that crosses n apertures counts 1/n here. Sources that nothing can hide from the point were
-/// counted whole.
-PointGather::Through PointGather::through(const GatherPoint& point, const Aperture& aperture,
-                                          const DirectEffort& effort, std::uint64_t key) const {
-    const RayPoint normal = point.normal.cast<float>();
-    if (is_below(point, normal, aperture)) return {};
-    const float first = aperture.first_edge.norm(), second = aperture.second_edge.norm(),
-                far = (aperture.at(0.5f, 0.5f) - point.origin).norm();
-    const std::array<std::uint32_t, 2> seeds{static_cast<std::uint32_t>(key),
-                                             static_cast<std::uint32_t>(key >> 32)};
-    const bool are_many = apertures_.size() > many;  // then what each misses evens out
-    int count = std::clamp(
-        static_cast<int>(samples_of_size * std::max(first, second) / std::max(far, 1e-6f)),
-        are_many ? fewest_of_many : fewest, most_at_first);
-    const int most = std::clamp(effort.most, most_at_first, most_ever);
-    Through sum;
-    RayBatch batch;
-    LandingBatch landed;
-    std::array<double, most_ever> value{};
-    for (bool last = false;; last = true, count = most) {
-        sum = {};
-        for (int from = 0; from < count; from += ray_batch) {
-            const int filled = std::min(ray_batch, count - from);
-            std::array<float, ray_batch> weight{};
-            for (std::size_t k = 0; k < static_cast<std::size_t>(filled); ++k) {
-                const std::size_t n = static_cast<std::size_t>(from) + k;
-                const RayPoint ray =
-                    aperture.at(points_.at(0, n, seeds[0]), points_.at(1, n, seeds[1])) -
-                    point.origin;
-                const float squared = std::max(1e-14f, ray.squaredNorm());
-                weight[k] = std::max(0.0f, ray.dot(normal)) * std::abs(ray.dot(aperture.normal)) *
-                            aperture.area / (squared * squared * std::numbers::pi_v<float>);
-                batch.ox[k] = point.origin.x(), batch.dx[k] = ray.x();
-                batch.oy[k] = point.origin.y(), batch.dy[k] = ray.y();
-                batch.oz[k] = point.origin.z(), batch.dz[k] = ray.z();
-            }
-            rays_.land(batch, filled, landed);
-            for (std::size_t k = 0; k < static_cast<std::size_t>(filled); ++k) {
-                double& seen = value[static_cast<std::size_t>(from) + k] = 0.0;
-                if (landed.landing[k] != Landing::front || !(weight[k] > 0.0f) ||
-                    landed.surface[k] >= source_of_.size() || source_of_[landed.surface[k]] == 0)
-                    continue;
-                const std::size_t s = source_of_[landed.surface[k]] - 1;
-                if (point.clear && (*point.clear)[s]) continue;
-                const RayPoint whole =
-                    RayPoint(landed.x[k], landed.y[k], landed.z[k]) - point.origin;
-                const RayPoint ray(batch.dx[k], batch.dy[k], batch.dz[k]);
-                if (whole.squaredNorm() < (1.0f - reached) * ray.squaredNorm()) continue;
-                const int crossed = std::max(1, count_crossed(apertures_, point.origin, whole));
-                const Rgb arriving =
-                    static_cast<double>(weight[k]) / (crossed * count) * sources_[s].exitance;
-                seen = luminance(arriving);
-                sum.irradiance += arriving;
-            }
-        }
-        const double mean = luminance(sum.irradiance) / count;
-        for (int n = 0; n < count; ++n)
-            sum.variance += std::pow(value[static_cast<std::size_t>(n)] - mean, 2);
-        sum.variance *= stratified * count / (count - 1.0);
-        const bool agree = sum.variance <= std::pow(alike * mean * count, 2);
-        if (last || agree || are_many || count == most) return sum;
+/// ∫ E/π cosθ dω over apertures, where a ray goes on to a source: dω = |cosθ'| dA / r². A ray that
+/// crosses n apertures counts 1/n here. Sources that nothing can hide from the point were counted
+/// whole.
+struct PointGather::ApertureSamples {
+    const PointGather& gather;
+    const GatherPoint& point;
+    RayPoint normal = point.normal.cast<float>();
+    RayBatch batch = {};
+    std::array<float, ray_batch> weight = {};
+    int filled = 0, taken = 0;
+    Rgb sum = Rgb::Zero();
+    double squares = 0.0;  // of luminances
+
+    void add(std::size_t aperture, float u, float v, float times) {
+        const Aperture& of = gather.apertures_[aperture];
+        const RayPoint ray = of.at(u, v) - point.origin;
+        const float squared = std::max(1e-14f, ray.squaredNorm());
+        const auto k = static_cast<std::size_t>(filled);
+        weight[k] = times * std::max(0.0f, ray.dot(normal)) * std::abs(ray.dot(of.normal)) *
+                    of.area / (squared * squared * std::numbers::pi_v<float>);
+        ++taken;
+        if (!(weight[k] > 0.0f)) return;
+        batch.ox[k] = point.origin.x(), batch.dx[k] = ray.x();
+        batch.oy[k] = point.origin.y(), batch.dy[k] = ray.y();
+        batch.oz[k] = point.origin.z(), batch.dz[k] = ray.z();
+        if (++filled == ray_batch) trace();
     }
+
+    void trace() {
+        LandingBatch landed;
+        const auto count = static_cast<std::size_t>(std::exchange(filled, 0));
+        if (count > 0) gather.rays_.land(batch, static_cast<int>(count), landed);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (landed.landing[k] != Landing::front ||
+                landed.surface[k] >= gather.source_of_.size() ||
+                gather.source_of_[landed.surface[k]] == 0)
+                continue;
+            const std::size_t s = gather.source_of_[landed.surface[k]] - 1;
+            if (point.clear && (*point.clear)[s]) continue;
+            const RayPoint whole = RayPoint(landed.x[k], landed.y[k], landed.z[k]) - point.origin;
+            const RayPoint ray(batch.dx[k], batch.dy[k], batch.dz[k]);
+            if (whole.squaredNorm() < (1.0f - reached) * ray.squaredNorm()) continue;
+            const int crossed = std::max(1, gather.apertures_.count_crossed(point.origin, whole));
+            const Rgb arriving =
+                static_cast<double>(weight[k]) / crossed * gather.sources_[s].exitance;
+            sum += arriving;
+            squares += std::pow(luminance(arriving), 2);
+        }
+    }
+
+    /// Mean of the samples so far, and the variance of it.
+    Direct mean() {
+        trace();
+        const double y = luminance(sum) / taken;
+        return {sum / taken,
+                stratified * std::max(0.0, squares / taken - y * y) / std::max(1.0, taken - 1.0)};
+    }
+};
+
+PointGather::Direct PointGather::through(const GatherPoint& point, const DirectEffort& effort,
+                                         std::uint64_t key) const {
+    const RayPoint normal = point.normal.cast<float>();
+    std::vector<float> most(apertures_.size());
+    apertures_.most_through(point.origin, normal, most);
+    struct Open {
+        std::size_t aperture = 0;
+        int count = 0;            // of its first samples
+        double cumulative = 0.0;  // of the most that comes through
+    };
+    std::vector<Open> open;
+    const double negligible = effort.enough / static_cast<double>(most.size());
+    double sum = 0.0;
+    int wanted = 0;
+    for (std::size_t g = 0; g < most.size(); ++g) {
+        if (!(static_cast<double>(most[g]) > negligible)) continue;
+        const Aperture& aperture = apertures_[g];
+        const float size = std::max(aperture.first_edge.norm(), aperture.second_edge.norm()),
+                    far = (aperture.at(0.5f, 0.5f) - point.origin).norm();
+        const int count = std::clamp(
+            static_cast<int>(samples_of_size * size / std::max(far, 1e-6f)), fewest, most_at_first);
+        wanted += count;
+        open.push_back({g, count, sum += static_cast<double>(most[g])});
+    }
+    Direct found;
+    const auto is_enough = [&](const Direct& part, double parts) {
+        return part.variance <= std::max(effort.enough * effort.enough / parts,
+                                         std::pow(alike * luminance(part.irradiance), 2));
+    };
+    const int more = std::clamp(effort.most, most_at_first, most_ever);
+    const auto coordinate = [&](std::size_t d, std::size_t k, std::uint64_t of) {
+        return points_.at(d, k, static_cast<std::uint32_t>(mix(of, d)));
+    };
+    if (wanted <= most_one_by_one) {
+        for (const Open& one : open) {
+            const auto take = [&](int count) {
+                ApertureSamples samples{*this, point};
+                for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+                    samples.add(one.aperture, coordinate(0, k, mix(key, one.aperture)),
+                                coordinate(1, k, mix(key, one.aperture)), 1.0f);
+                return samples.mean();
+            };
+            Direct part = take(one.count);
+            if (!is_enough(part, static_cast<double>(open.size())) && one.count < more)
+                part = take(more);
+            found.irradiance += part.irradiance;
+            found.variance += part.variance;
+        }
+        return found;
+    }
+    // Each sample picks an aperture in proportion to what may come through, at steps all alike.
+    const auto take = [&](int count) {
+        ApertureSamples samples{*this, point};
+        const double start = unit(mix(key, 0)), step = sum / count;
+        std::size_t at = 0;
+        for (int n = 0; n < count; ++n) {
+            while (at + 1 < open.size() && open[at].cumulative <= (n + start) * step) ++at;
+            const auto k = static_cast<std::size_t>(n);
+            const float chance =
+                static_cast<float>(static_cast<double>(most[open[at].aperture]) / sum);
+            samples.add(open[at].aperture, coordinate(0, k, key), coordinate(1, k, key),
+                        1.0f / chance);
+        }
+        return samples.mean();
+    };
+    found = take(most_one_by_one);
+    if (!is_enough(found, 1.0) && more > most_one_by_one) found = take(more);
+    return found;
 }
 
 }  // namespace patchlight

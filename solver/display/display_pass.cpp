@@ -12,8 +12,8 @@ namespace {
 
 /// Sources gathered from one by one: all of them in a room, a few in a building of many patches.
 /// The rest are as good as bright walls to rays.
-constexpr std::size_t fewest_sources = 8, most_sources = 256;
-constexpr std::size_t most_source_pairs = 4'000'000;
+constexpr std::size_t fewest_sources = 8, most_sources = 2048;
+constexpr std::size_t most_source_pairs = 50'000'000;
 constexpr int most_rays = 1 << 16;     // of one point
 constexpr double expected_miss = 0.5;  // of indirect light's target, however smooth it looks [1]
 constexpr int most_bend_cuts = 2;      // each leaves a quarter
@@ -52,8 +52,8 @@ PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<Li
     double area = 0.0;
     for (const Surface& surface : scene.surfaces)
         if ((scene.materials[surface.material].reflectance > 0.0).any()) area += surface.area;
-    std::vector<Aperture> apertures = find_apertures(scene, rays, sources, area, seed);
-    return PointGather(rays, std::move(sources), most_samples, std::move(apertures));
+    const std::vector<Aperture> apertures = find_apertures(scene, rays, sources, area, seed);
+    return PointGather(rays, std::move(sources), most_samples, apertures);
 }
 
 DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
@@ -66,7 +66,7 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
                           most_rays, seed)),
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
       near_lights_(scene, mesh, gather_.sources()),
-      spots_(scene, mesh, rays, gather_.sources(), gather_.apertures(), seed),
+      spots_(scene, mesh, rays, gather_.sources(), gather_.apertures().all(), seed),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
     restart_direct();
     restart_indirect();

@@ -1,5 +1,6 @@
 #include "solver/display/find_apertures.h"
 
+#include "solver/display/aperture_set.h"
 #include "solver/display/gap_probe.h"
 #include "solver/rays/low_discrepancy.h"
 
@@ -63,7 +64,7 @@ class ApertureSearch {
             if (found_.size() <= before + before / 16 || found_.size() >= most_apertures) break;
             count = std::min(std::max(count, most_first), most_lines - first);
         }
-        return std::move(found_);
+        return found_.all();
     }
 
   private:
@@ -178,13 +179,13 @@ class ApertureSearch {
         if (found_.size() >= most_apertures) return;
         const RayPoint from = passage.point - passage.before * passage.direction,
                        whole = (passage.before + passage.after) * passage.direction;
-        if (count_crossed(found_, from, whole) > 0) return;
+        if (found_.count_crossed(from, whole) > 0) return;
         const GapProbe probe{rays_, passage.direction,
                              std::min({passage.before, passage.after, 10.0f * widest_}), widest_};
         const auto gap = probe.find(passage.point, passage.edge->outward, passage.edge->along,
                                     passage.edge->normal);
         if (!gap || !is_worth_it(*gap, passage)) return;
-        found_.push_back(*gap);
+        found_.add(*gap);
         known_.push_back(-passage.direction);
     }
 
@@ -209,7 +210,7 @@ class ApertureSearch {
     std::vector<const LightSource*> source_of_;  // per surface
     std::vector<double> power_;                  // cumulated
     std::vector<Edge> edges_;
-    std::vector<Aperture> found_;
+    ApertureSet found_;
     std::vector<RayPoint> known_;  // directions in which some were found, towards sources
 };
 

@@ -16,7 +16,8 @@ LightSource make_source(const Scene& scene, const PatchMesh& mesh, PatchIndex i,
     source.surface = mesh.patches[i].surface;
     source.lift = rays.lift(source.surface);
     source.exitance = scene.materials[surface.material].exitance;
-    source.power = mesh.patches[i].area * luminance(source.exitance);
+    source.area = mesh.patches[i].area;
+    source.power = source.area * luminance(source.exitance);
     return source;
 }
 

@@ -16,6 +16,7 @@ struct LightSource {
     float lift = 0.0f;     // that its points start above it [ray space]
     SurfaceIndex surface = 0;
     Rgb exitance = Rgb::Zero();  // [W/m²]
+    double area = 0.0;           // [m²]
     double power = 0.0;          // area times luminance of the exitance [W]
 };
 

@@ -32,8 +32,15 @@ double distance_to(const ConvexPolygon& polygon, const Vec3& normal, const Vec3&
 NearLights::NearLights(const Scene& scene, const PatchMesh& mesh,
                        const std::vector<LightSource>& sources)
     : scene_(scene), mesh_(mesh), near_(mesh.size()) {
-    for (const LightSource& source : sources)
-        lights_.push_back({&source, narrow_side(source.polygon)});
+    for (const LightSource& source : sources) {
+        Light light{&source, narrow_side(source.polygon), Vec3::Zero(), 0.0};
+        const auto& corners = source.polygon.corners;
+        for (std::size_t k = 0; k < source.polygon.size; ++k)
+            light.centre += corners[k] / static_cast<double>(source.polygon.size);
+        for (std::size_t k = 0; k < source.polygon.size; ++k)
+            light.radius = std::max(light.radius, (corners[k] - light.centre).norm());
+        lights_.push_back(light);
+    }
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         const Patch& patch = mesh.patches[i];
         Disc disc{patch.centre, scene.surfaces[patch.surface].normal, 0.0};
@@ -44,7 +51,11 @@ NearLights::NearLights(const Scene& scene, const PatchMesh& mesh,
     }
 }
 
+/// What is farther aside than twice the disc's radius, or higher than it, hides none.
 bool NearLights::hides_spot(const Disc& disc, const Light& light) {
+    constexpr double farthest = 2.24;  // √(2² + 1²)
+    const double near = light.radius + farthest * disc.radius;
+    if ((light.centre - disc.centre).squaredNorm() > near * near) return false;
     const ConvexPolygon& polygon = light.source->polygon;
     const Vec3& faces = light.source->normal;
     const double reach = disc.radius * disc.normal.cross(faces).norm();

@@ -21,6 +21,8 @@ class NearLights {
     struct Light {
         const LightSource* source = nullptr;
         double width = 0.0;  // of its narrow side [m]
+        Vec3 centre = Vec3::Zero();
+        double radius = 0.0;  // of a sphere round it [m]
     };
     struct Disc {  // about an element
         Vec3 centre = Vec3::Zero(), normal = Vec3::UnitZ();

@@ -24,13 +24,6 @@ bool is_wide_from(const LightSource& source, const Vec3& from) {
            wide_for_height * wide_for_height * height * height;
 }
 
-/// Of a source that would give `whole` [W/m²].
-int first_samples(const DirectEffort& effort, double whole) {
-    if (!(whole > effort.bright)) return effort.first;
-    return static_cast<int>(
-        std::min<double>(effort.first * std::ceil(whole / effort.bright), effort.most));
-}
-
 /// Where a ray from `from` meets the front of a source.
 std::optional<Vec3> meet(const LightSource& source, const Vec3& from, const Vec3& way) {
     const auto& corners = source.polygon.corners;
@@ -48,13 +41,17 @@ std::optional<Vec3> meet(const LightSource& source, const Vec3& from, const Vec3
 }
 }  // namespace
 
+int DirectEffort::first_of(double whole) const {
+    if (!(whole > bright)) return first;
+    return static_cast<int>(std::min<double>(first * std::ceil(whole / bright), most));
+}
+
 PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples,
-                         std::vector<Aperture> apertures)
+                         const std::vector<Aperture>& apertures)
     : rays_(rays),
       sources_(std::move(sources)),
-      apertures_(std::move(apertures)),
+      apertures_(apertures, sources_, rays),
       points_(static_cast<std::size_t>(std::max(most_samples, ray_batch))) {
-    if (apertures_.empty()) return;
     for (std::uint32_t s = 0; s < sources_.size(); ++s) {
         source_of_.resize(std::max<std::size_t>(source_of_.size(), sources_[s].surface + 1), 0);
         source_of_[sources_[s].surface] = s + 1;
@@ -94,7 +91,7 @@ struct PointGather::Samples {
             share.all += weights[k];
             if ((blocked >> k) & 1u) continue;
             const RayPoint ray(batch.dx[k], batch.dy[k], batch.dz[k]);
-            if (count_crossed(gather.apertures_, point.origin, ray) == 0) share.clear += weights[k];
+            if (gather.apertures_.count_crossed(point.origin, ray) == 0) share.clear += weights[k];
         }
         filled = 0;
     }
@@ -137,33 +134,54 @@ void PointGather::sample(const GatherPoint& point, const LightSource& source, do
     samples.trace();
 }
 
+PointGather::Direct PointGather::alone(const GatherPoint& point, const Lit& lit,
+                                       const DirectEffort& effort, std::uint64_t key) const {
+    const LightSource& source = sources_[lit.source];
+    int count = effort.first_of(lit.whole);
+    Share share;
+    sample(point, source, lit.factor, key, 0, count, share);
+    const auto variance = [&] {
+        const double clear = share.clear_share();
+        return outlines * lit.whole * lit.whole * clear * (1.0 - clear) * std::pow(count, -1.5);
+    };
+    if (share.mixed() && count < effort.most && variance() > effort.enough * effort.enough) {
+        sample(point, source, lit.factor, key, count, effort.most, share);
+        count = effort.most;
+    }
+    return {share.clear_share() * lit.factor * source.exitance, variance()};
+}
+
 PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEffort& effort,
                                         std::uint64_t key) const {
+    constexpr std::size_t most_alone = 16;
     Direct sum;
+    std::vector<Lit> hidden;  // or not
+    double whole = 0.0;
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         const LightSource& source = sources_[s];
         const double factor =
             point_factor(point.position, point.normal, source.polygon, source.normal);
         if (!(factor > 0.0)) continue;
-        double clear = 1.0;
-        if (!point.clear || !(*point.clear)[s]) {
-            const std::uint64_t stream = mix(key, s);
-            const double whole = factor * luminance(source.exitance);
-            const int first = first_samples(effort, whole);
-            Share share;
-            sample(point, source, factor, stream, 0, first, share);
-            if (share.mixed()) sample(point, source, factor, stream, first, effort.most, share);
-            if (share.all > 0.0f) clear = static_cast<double>(share.clear / share.all);
-            sum.variance +=
-                outlines * whole * whole * clear * (1.0 - clear) * std::pow(effort.most, -1.5);
+        if (point.clear && (*point.clear)[s]) {
+            sum.irradiance += factor * source.exitance;
+            continue;
         }
-        sum.irradiance += clear * factor * source.exitance;
+        hidden.push_back({s, factor, factor * luminance(source.exitance)});
+        whole += hidden.back().whole;
     }
-    for (std::size_t g = 0; g < apertures_.size(); ++g) {
-        const Through found = through(point, apertures_[g], effort, mix(key, sources_.size() + g));
-        sum.irradiance += found.irradiance;
-        sum.variance += found.variance;
-    }
+    const auto add = [&](const Direct& more) {
+        sum.irradiance += more.irradiance;
+        sum.variance += more.variance;
+    };
+    auto many = hidden.end();
+    if (hidden.size() > most_alone)
+        many = std::stable_partition(hidden.begin(), hidden.end(), [&](const Lit& lit) {
+            return lit.whole * most_alone >= whole;
+        });
+    for (auto lit = hidden.begin(); lit != many; ++lit)
+        add(alone(point, *lit, effort, mix(key, lit->source)));
+    if (many != hidden.end()) add(together(point, {many, hidden.end()}, effort, mix(key, ~0u)));
+    if (!apertures_.empty()) add(through(point, effort, mix(key, sources_.size())));
     return sum;
 }
 

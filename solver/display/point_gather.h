@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/display/aperture.h"
+#include "solver/display/aperture_set.h"
 #include "solver/display/light_sources.h"
 #include "solver/display/reflected_field.h"
 #include "solver/rays/cosine_directions.h"
@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace patchlight {
@@ -28,6 +29,11 @@ struct DirectEffort {
     /// A source that would give more than this is sampled more at first, in proportion: n samples
     /// that see nothing of it leave a doubt of about 3/n, of a sun too much [W/m²].
     double bright = std::numeric_limits<double>::infinity();
+    /// Noise at a point that is of no matter: samples that leave no more need none beside them, and
+    /// apertures through which no more can come are left out [W/m²].
+    double enough = 0.0;
+    /// First samples of a source that would give `whole` [W/m²].
+    int first_of(double whole) const;
 };
 
 /// Irradiance at points: sources one by one, by Lambert's formula times the visibility that samples
@@ -36,10 +42,10 @@ struct DirectEffort {
 class PointGather {
   public:
     PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples,
-                std::vector<Aperture> apertures = {});
+                const std::vector<Aperture>& apertures = {});
 
     const std::vector<LightSource>& sources() const { return sources_; }
-    const std::vector<Aperture>& apertures() const { return apertures_; }
+    const ApertureSet& apertures() const { return apertures_; }
     /// `lift` above a point of that frame.
     GatherPoint at(const Vec3& position, const Vec3& normal, float lift, FrameIndex frame) const;
 
@@ -73,6 +79,7 @@ class PointGather {
     struct Share {
         float clear = 0.0f, all = 0.0f;  // sums of kernel weights
         bool mixed() const { return clear > 0.0f && clear < all; }
+        double clear_share() const { return all > 0.0f ? static_cast<double>(clear / all) : 1.0; }
     };
     struct Samples;
     /// Over the area of a source, weighed with the kernel; or, where it fills much of the view
@@ -80,20 +87,29 @@ class PointGather {
     void sample(const GatherPoint& point, const LightSource& source, double factor,
                 std::uint64_t key, int first, int end, Share& share) const;
 
-    struct Through {
-        Rgb irradiance = Rgb::Zero();
-        double variance = 0.0;
+    struct Lit {  // by a source that something may hide
+        std::size_t source = 0;
+        double factor = 0.0;  // nothing between [1]
+        double whole = 0.0;   // luminance of what it would give [W/m²]
     };
-    Through through(const GatherPoint& point, const Aperture& aperture, const DirectEffort& effort,
+    /// From one by itself; and from many that give little each, by samples of all together.
+    Direct alone(const GatherPoint& point, const Lit& lit, const DirectEffort& effort,
+                 std::uint64_t key) const;
+    Direct together(const GatherPoint& point, std::span<const Lit> lit, const DirectEffort& effort,
                     std::uint64_t key) const;
+    struct ManySamples;
+
+    /// What comes through apertures; of many, by samples of all together.
+    Direct through(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
+    struct ApertureSamples;
 
     struct Hemisphere;
     struct Excess;
 
     const RayScene& rays_;
     std::vector<LightSource> sources_;
-    std::vector<Aperture> apertures_;
-    std::vector<std::uint32_t> source_of_;  // per surface, where there are apertures: number and 1
+    ApertureSet apertures_;
+    std::vector<std::uint32_t> source_of_;  // per surface: number and 1
     SobolPoints points_;
 };
 
