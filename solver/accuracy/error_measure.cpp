@@ -28,6 +28,7 @@ void heed_energy(const EnergyReport& energy, const std::vector<Rgb>& weight, con
         sum += missing[i];
         whole += weight[i];
     }
+    if (getenv("PLDBG")) fprintf(stderr, "heed: sum %g sigma %g energy %g sigma %g whole %g\n", sum[1], std::sqrt(variance[1]), energy.missing()[1], energy.standard_error * energy.emitted[1], whole[1]);
     const Rgb noise = (energy.standard_error * energy.emitted).square();
     const Rgb share =
         (energy.missing() - sum) * variance / (variance + noise).max(1e-300) / whole.max(1e-300);

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t rays_at_a_time = 1024;  // whole batches
 constexpr double inward = 1e-4;  // of the way to a triangle's centre, off the edges of others
+constexpr double unseen = 1.5;   // over n: half of what n of n leave in doubt, to 95 %
 
 struct Start {
     RayPoint origin, normal;
@@ -145,6 +146,10 @@ OutsideFlux measure_outside(const Scene& scene, const PatchMesh& mesh, const Dis
     }
     const Rgb astray = flux.backs + flux.escaped;
     flux.standard_error = ((square - astray * astray).max(0.0) / n).sqrt();
+    // Where all go astray but a few that none of them met, they are alike by chance.
+    for (Eigen::Index c = 0; c < 3; ++c)
+        if (astray[c] > 0.0)
+            flux.standard_error[c] = std::max(flux.standard_error[c], unseen * astray[c] / n);
     return flux;
 }
 

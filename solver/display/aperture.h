@@ -13,6 +13,14 @@ struct Aperture {
     RayPoint first_of, second_of;  // (p - corner)·x: coordinates along the edges [1]
 
     RayPoint at(float u, float v) const { return corner + u * first_edge + v * second_edge; }
+    struct Pick {
+        RayPoint point;
+        float area = 0.0f;  // it stands for: one over the density
+    };
+    /// (u, v) in [0, 1)² to a point, along the longer edge at angles all alike as seen from
+    /// `origin`: a slit is near to few of its points (Kulla & Fajardo, "Importance Sampling
+    /// Techniques for Path Tracing in Participating Media", 2012).
+    Pick pick_from(const RayPoint& origin, float u, float v) const;
     /// Whether the segment from `origin` along `ray` crosses it.
     bool crosses(const RayPoint& origin, const RayPoint& ray) const {
         const float along = ray.dot(normal), above = (corner - origin).dot(normal);

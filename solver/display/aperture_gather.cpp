@@ -9,7 +9,7 @@ namespace patchlight {
 namespace {
 
 constexpr int fewest = ray_batch;        // samples of an aperture
-constexpr float samples_of_size = 8.0f;  // times its size over the distance
+constexpr float samples_of_size = 8.0f;  // times its width over the distance
 constexpr int most_at_first = 64, most_ever = 1024;
 constexpr int most_one_by_one = 256;  // first samples; else they are shared out among all
 constexpr double alike = 0.05;        // of their mean: samples that need no more beside them
@@ -34,11 +34,12 @@ struct PointGather::ApertureSamples {
 
     void add(std::size_t aperture, float u, float v, float times) {
         const Aperture& of = gather.apertures_[aperture];
-        const RayPoint ray = of.at(u, v) - point.origin;
+        const Aperture::Pick pick = of.pick_from(point.origin, u, v);
+        const RayPoint ray = pick.point - point.origin;
         const float squared = std::max(1e-14f, ray.squaredNorm());
         const auto k = static_cast<std::size_t>(filled);
         weight[k] = times * std::max(0.0f, ray.dot(normal)) * std::abs(ray.dot(of.normal)) *
-                    of.area / (squared * squared * std::numbers::pi_v<float>);
+                    pick.area / (squared * squared * std::numbers::pi_v<float>);
         ++taken;
         if (!(weight[k] > 0.0f)) return;
         batch.ox[k] = point.origin.x(), batch.dx[k] = ray.x();
@@ -95,7 +96,7 @@ PointGather::Direct PointGather::through(const GatherPoint& point, const DirectE
     for (std::size_t g = 0; g < most.size(); ++g) {
         if (!(static_cast<double>(most[g]) > negligible)) continue;
         const Aperture& aperture = apertures_[g];
-        const float size = std::max(aperture.first_edge.norm(), aperture.second_edge.norm()),
+        const float size = std::min(aperture.first_edge.norm(), aperture.second_edge.norm()),
                     far = (aperture.at(0.5f, 0.5f) - point.origin).norm();
         const int count = std::clamp(
             static_cast<int>(samples_of_size * size / std::max(far, 1e-6f)), fewest, most_at_first);

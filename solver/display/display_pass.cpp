@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t fewest_sources = 8, most_sources = 2048;
 constexpr std::size_t most_source_pairs = 50'000'000;
 constexpr int most_rays = 1 << 16;     // of one point
+constexpr int most_levels = 14;        // of direct light: gaps of a millimetre in walls of metres
 constexpr double expected_miss = 0.5;  // of indirect light's target, however smooth it looks [1]
 constexpr int most_bend_cuts = 2;      // each leaves a quarter
 constexpr double parabola_over_line = 8.0 / 15.0;  // mean square beside that in the middle [1]
@@ -65,7 +66,7 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
                           find_light_sources(scene, lines, rays, sources_for(mesh.size())),
                           most_rays, seed)),
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
-      near_lights_(scene, mesh, gather_.sources()),
+      near_lights_(scene, mesh, rays, gather_.sources(), gather_.apertures().all()),
       spots_(scene, mesh, rays, gather_.sources(), gather_.apertures().all(), seed),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
     restart_direct();
@@ -83,9 +84,11 @@ bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
     // A shadow may lie between corners that see the source, and light between ones that do not.
     rule.must_cut = [&](const TreeElement& element) {
         return (element.area > area_ / aim.elements && points_.may_be_shaded(element.patch)) ||
-               near_lights_.may_hide_spot(tree_, element) || spots_.may_hide_spot(tree_, element);
+               near_lights_.may_hide_spot(tree_, element, aim.target) ||
+               spots_.may_hide_spot(tree_, element);
     };
     rule.follow = true;
+    rule.most_levels = most_levels;
     return direct_->refine(tree_, weight_, rule,
                            [&](auto vertices) { return points_.direct(tree_, vertices, effort); });
 }

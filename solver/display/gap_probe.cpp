@@ -59,16 +59,18 @@ bool GapProbe::is_clear(const RayPoint& point, float half) const {
     return landed.landing[0] == Landing::front;
 }
 
-/// How far lines are clear from a clear point, `most` if it is as far.
+/// How far lines are clear from a clear point, `most` if it is as far; lines are as long as what
+/// bounds a gap of that width needs, where it is known: of a slit longer ones would end at what it
+/// ends at, slanting.
 GapProbe::Reach GapProbe::clear_along(const RayPoint& point, const RayPoint& unit, float first,
-                                      float most) const {
+                                      float most, float width) const {
     float clear = 0.0f, next = first;
-    while (is_clear(point + next * unit, half_at(next))) {
+    while (is_clear(point + next * unit, half_at(std::min(next, width)))) {
         clear = next;
         if (next >= most) return {most, false};
         next = std::min(2.0f * next, most);
     }
-    const float fixed = half_at(next);
+    const float fixed = half_at(std::min(next, width));
     float beyond = next;
     for (int k = 0; k < halvings; ++k) {
         const float middle = 0.5f * (clear + beyond);
@@ -98,14 +100,14 @@ std::optional<Aperture> GapProbe::find(const RayPoint& point, const RayPoint& ou
     for (int round = 0; round < centrings; ++round) {
         if (!is_clear(centre, least * widest)) return std::nullopt;
         const float start = std::max(least * widest, 0.1f * width);
-        const Reach ahead = clear_along(centre, first, start, 2.0f * widest),
-                    back = clear_along(centre, -first, start, 2.0f * widest);
+        const Reach ahead = clear_along(centre, first, start, 2.0f * widest, longest),
+                    back = clear_along(centre, -first, start, 2.0f * widest, longest);
         centre += 0.5f * (ahead.clear - back.clear) * first;
         width = ahead.clear + back.clear;
         if (!is_clear(centre, least * widest)) return std::nullopt;
         const float step = std::max(start, 0.5f * width);
-        const Reach left = clear_along(centre, second, step, longest),
-                    right = clear_along(centre, -second, step, longest);
+        const Reach left = clear_along(centre, second, step, longest, width),
+                    right = clear_along(centre, -second, step, longest, width);
         centre += 0.5f * (left.clear - right.clear) * second;
         length = left.clear + right.clear;
         const bool narrow = width <= widest && ahead.ends && back.ends,

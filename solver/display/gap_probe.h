@@ -37,7 +37,8 @@ struct GapProbe {
         float clear = 0.0f;
         bool ends = false;  // at a surface
     };
-    Reach clear_along(const RayPoint& point, const RayPoint& unit, float first, float most) const;
+    Reach clear_along(const RayPoint& point, const RayPoint& unit, float first, float most,
+                      float width) const;
 };
 
 }  // namespace patchlight

@@ -1,5 +1,7 @@
 #include "solver/display/near_lights.h"
 
+#include "solver/form_factors/point_factor.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -29,17 +31,31 @@ double distance_to(const ConvexPolygon& polygon, const Vec3& normal, const Vec3&
 
 }  // namespace
 
-NearLights::NearLights(const Scene& scene, const PatchMesh& mesh,
-                       const std::vector<LightSource>& sources)
+NearLights::NearLights(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
+                       const std::vector<LightSource>& sources,
+                       const std::vector<Aperture>& apertures)
     : scene_(scene), mesh_(mesh), near_(mesh.size()) {
-    for (const LightSource& source : sources) {
-        Light light{&source, narrow_side(source.polygon), Vec3::Zero(), 0.0};
-        const auto& corners = source.polygon.corners;
-        for (std::size_t k = 0; k < source.polygon.size; ++k)
-            light.centre += corners[k] / static_cast<double>(source.polygon.size);
-        for (std::size_t k = 0; k < source.polygon.size; ++k)
-            light.radius = std::max(light.radius, (corners[k] - light.centre).norm());
-        lights_.push_back(light);
+    for (const LightSource& source : sources)
+        add({source.polygon, source.normal, narrow_side(source.polygon),
+             std::numeric_limits<double>::infinity()});
+    for (const Aperture& aperture : apertures) {
+        const auto to_metres = [&](float u, float v) {
+            return rays.from_ray_space(aperture.at(u, v).cast<double>());
+        };
+        const Vec3 centre = to_metres(0.5f, 0.5f), normal = aperture.normal.cast<double>();
+        for (const double side : {1.0, -1.0}) {  // lit from behind
+            double most = 0.0;
+            for (const LightSource& source : sources)
+                most += luminance(source.exitance) *
+                        point_factor(centre, -side * normal, source.polygon, source.normal);
+            if (!(most > 0.0)) continue;
+            Light light{{}, side * normal, 0.0, most};
+            for (const auto& [u, v] : {std::array{0.0f, 0.0f}, std::array{1.0f, 0.0f},
+                                       std::array{1.0f, 1.0f}, std::array{0.0f, 1.0f}})
+                light.polygon.add(side > 0.0 ? to_metres(u, v) : to_metres(v, u));
+            light.width = narrow_side(light.polygon);
+            add(light);
+        }
     }
     for (PatchIndex i = 0; i < mesh.size(); ++i) {
         const Patch& patch = mesh.patches[i];
@@ -47,17 +63,27 @@ NearLights::NearLights(const Scene& scene, const PatchMesh& mesh,
         for (const std::uint32_t v : patch.vertices)
             disc.radius = std::max(disc.radius, (mesh.vertices[v] - patch.centre).norm());
         for (std::uint32_t l = 0; l < lights_.size(); ++l)
-            if (hides_spot(disc, lights_[l])) near_[i].push_back(l);
+            if (hides_spot(disc, lights_[l], 0.0)) near_[i].push_back(l);
     }
 }
 
+void NearLights::add(const Light& light) {
+    lights_.push_back(light);
+    Light& added = lights_.back();
+    const auto& corners = added.polygon.corners;
+    for (std::size_t k = 0; k < added.polygon.size; ++k)
+        added.centre += corners[k] / static_cast<double>(added.polygon.size);
+    for (std::size_t k = 0; k < added.polygon.size; ++k)
+        added.radius = std::max(added.radius, (corners[k] - added.centre).norm());
+}
+
 /// What is farther aside than twice the disc's radius, or higher than it, hides none.
-bool NearLights::hides_spot(const Disc& disc, const Light& light) {
+bool NearLights::hides_spot(const Disc& disc, const Light& light, double little) {
     constexpr double farthest = 2.24;  // √(2² + 1²)
     const double near = light.radius + farthest * disc.radius;
     if ((light.centre - disc.centre).squaredNorm() > near * near) return false;
-    const ConvexPolygon& polygon = light.source->polygon;
-    const Vec3& faces = light.source->normal;
+    const ConvexPolygon& polygon = light.polygon;
+    const Vec3& faces = light.normal;
     const double reach = disc.radius * disc.normal.cross(faces).norm();
     if ((disc.centre - polygon.corners[0]).dot(faces) + reach <= 0.0) return false;  // behind it
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -68,13 +94,14 @@ bool NearLights::hides_spot(const Disc& disc, const Light& light) {
     }
     if (high <= 0.0) return false;
     const double height = std::max(low, 0.0), spot = std::max(height, 0.5 * light.width);
-    if (disc.radius <= spot) return false;
+    if (disc.radius <= spot || light.most * spot < little) return false;
     const double distance = distance_to(polygon, faces, disc.centre);
     const double aside = std::sqrt(std::max(0.0, distance * distance - height * height));
     return aside < disc.radius + spot;
 }
 
-bool NearLights::may_hide_spot(const RefinementTree& tree, const TreeElement& element) const {
+bool NearLights::may_hide_spot(const RefinementTree& tree, const TreeElement& element,
+                               double little) const {
     const std::vector<std::uint32_t>& near = near_[element.patch];
     if (near.empty()) return false;
     Disc disc{Vec3::Zero(), scene_.surfaces[mesh_.patches[element.patch].surface].normal, 0.0};
@@ -85,7 +112,7 @@ bool NearLights::may_hide_spot(const RefinementTree& tree, const TreeElement& el
         disc.radius = std::max(
             disc.radius, (tree.vertices()[element.vertices[k]].position - disc.centre).norm());
     return std::any_of(near.begin(), near.end(),
-                       [&](std::uint32_t l) { return hides_spot(disc, lights_[l]); });
+                       [&](std::uint32_t l) { return hides_spot(disc, lights_[l], little); });
 }
 
 }  // namespace patchlight

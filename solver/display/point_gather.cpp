@@ -15,6 +15,7 @@ constexpr float tiny = 1e-12f;  // squared distance that is taken for no less [r
 /// Only samples next to the outline of what is seen are left to chance, √n of n along each length
 /// of the lamp: about two such lengths in sight of a few boxes, or of a sky between walls.
 constexpr double outlines = 2.0;
+constexpr double most_times_first = 8.0;  // as many first samples of a source, however bright
 constexpr double wide = 0.15;  // of a point's view: a source may be sampled by directions [1]
 constexpr double wide_for_height = 4.0;  // above its plane: most of its area hardly counts [1]
 
@@ -43,7 +44,8 @@ std::optional<Vec3> meet(const LightSource& source, const Vec3& from, const Vec3
 
 int DirectEffort::first_of(double whole) const {
     if (!(whole > bright)) return first;
-    return static_cast<int>(std::min<double>(first * std::ceil(whole / bright), most));
+    const double times = std::min(std::ceil(whole / bright), most_times_first);
+    return std::min(static_cast<int>(first * times), std::max(first, most));
 }
 
 PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources, int most_samples,
