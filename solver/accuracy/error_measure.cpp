@@ -28,7 +28,10 @@ void heed_energy(const EnergyReport& energy, const std::vector<Rgb>& weight, con
         sum += missing[i];
         whole += weight[i];
     }
-    if (getenv("PLDBG")) fprintf(stderr, "heed: sum %g sigma %g energy %g sigma %g whole %g\n", sum[1], std::sqrt(variance[1]), energy.missing()[1], energy.standard_error * energy.emitted[1], whole[1]);
+    if (getenv("PLDBG"))
+        fprintf(stderr, "heed: sum %g sigma %g energy %g sigma %g whole %g\n", sum[1],
+                std::sqrt(variance[1]), energy.missing()[1],
+                energy.standard_error * energy.emitted[1], whole[1]);
     const Rgb noise = (energy.standard_error * energy.emitted).square();
     const Rgb share =
         (energy.missing() - sum) * variance / (variance + noise).max(1e-300) / whole.max(1e-300);
@@ -85,7 +88,7 @@ MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed,
                                const std::function<bool()>& go_on) const {
     CheckEffort effort;
     effort.direct = {std::max(64, 2 * aim.effort.first), 2 * aim.effort.most, aim.effort.bright,
-                     0.5 * aim.effort.enough};
+                     0.5 * aim.effort.enough, 0.5 * aim.effort.alike};
     effort.rays = std::clamp(aim.rays / 64 * 32, 256, 4096);
     effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
         light.pass().indirect().gathered() / vertices_per_check, 384, 4096));

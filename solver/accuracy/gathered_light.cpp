@@ -53,6 +53,7 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     coarse_.emplace(scene_, mesh_, transport, other_exitance_);
     if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
         exact_direct_ = to_rgb(*once);
+    effort.alike = noise;
     const auto solve_once = [&] {
         return pass_.refine_direct({whatever_is_missed, first_elements}, effort) &&
                solve_coarse(tolerance, observe);

@@ -47,6 +47,9 @@ LightParticles::LightParticles(const Scene& scene, const PatchMesh& mesh, const 
                                 static_cast<float>(reflectance[1]),
                                 static_cast<float>(reflectance[2])});
         normals_.push_back(surface.normal.cast<float>());
+        const Rgb& exitance = scene.materials[surface.material].exitance;
+        exitance_.push_back({static_cast<float>(exitance[0]), static_cast<float>(exitance[1]),
+                             static_cast<float>(exitance[2])});
     }
     std::map<ObjectIndex, std::uint32_t> lamps;
     const auto exitance_of = [&](PatchIndex i) {
@@ -85,6 +88,29 @@ LightParticles::LightParticles(const Scene& scene, const PatchMesh& mesh, const 
         emitter.cumulative = cumulative += chance;
     }
     for (Emitter& emitter : emitters_) emitter.cumulative /= cumulative;
+    find_beams();
+}
+
+/// Half of them by what may come through, half all alike.
+void LightParticles::find_beams() {
+    constexpr double wide = 0.02;  // of the view
+    const double many = static_cast<double>(apertures_.size());
+    double all = 0.0, cumulative = 0.0;
+    for (std::size_t g = 0; g < apertures_.size(); ++g)
+        for (const ApertureSet::Lit& lit : apertures_.lit(g))
+            all += lit.irradiance * static_cast<double>(apertures_[g].area);
+    for (std::size_t g = 0; g < apertures_.size(); ++g) {
+        const auto& [front, back] = apertures_.lit(g);
+        const double light = front.irradiance + back.irradiance,
+                     power = light * static_cast<double>(apertures_[g].area);
+        Beam beam;
+        beam.chance = static_cast<float>(0.5 / many + (all > 0.0 ? 0.5 * power / all : 0.5 / many));
+        beam.cumulative = cumulative += static_cast<double>(beam.chance);
+        beam.of_side[0] = static_cast<float>(light > 0.0 ? front.irradiance / light : 0.5);
+        beam.of_side[1] = 1.0f - beam.of_side[0];
+        beam.is_wide = front.factor + back.factor > wide;
+        beams_.push_back(beam);
+    }
 }
 
 LightParticles::Cone LightParticles::cone_from(const RayPoint& point) const {
@@ -123,6 +149,42 @@ struct LightParticles::Tracer {
         return !from.apertures_.empty() && mix(mix(seed, n), 1) % 2 == 1;
     }
 
+    /// From a point of an aperture back to what lights it: false if nothing does.
+    bool look_back(std::size_t n, const Beam& beam, const Aperture& aperture,
+                   const std::array<float, 2>& place, const std::array<float, 2>& way,
+                   Flight& flight) {
+        const std::size_t side =
+            unit(mix(mix(seed, n), 2)) < static_cast<double>(beam.of_side[0]) ? 0 : 1;
+        const RayPoint point = aperture.at(place[0], place[1]),
+                       outward = side == 0 ? aperture.normal : RayPoint(-aperture.normal),
+                       direction = cosine_direction(frame_about(outward), way[0], way[1]);
+        RayBatch batch;
+        LandingBatch landed;
+        batch.ox[0] = point.x(), batch.oy[0] = point.y(), batch.oz[0] = point.z();
+        batch.dx[0] = direction.x(), batch.dy[0] = direction.y(), batch.dz[0] = direction.z();
+        batch.frame[0] = 0;
+        from.rays_.land(batch, 1, landed);
+        ++rays;
+        if (landed.landing[0] != Landing::front) return false;
+        const SurfaceIndex s = landed.surface[0];
+        const RayPoint& normal = from.normals_[s];
+        flight.origin =
+            RayPoint(landed.x[0], landed.y[0], landed.z[0]) + from.rays_.lift(s) * normal;
+        const RayPoint ray = point - flight.origin;
+        flight.aperture_at = ray.norm();
+        if (!(flight.aperture_at > 0.0f)) return false;
+        flight.direction = ray / flight.aperture_at;
+        flight.frame = 0;
+        const auto scale = static_cast<float>(from.rays_.scale());
+        const float weight = 2.0f * per_particle * aperture.area /
+                             (scale * scale * beam.chance * beam.of_side[side]);
+        for (std::size_t c = 0; c < 3; ++c) flight.flux[c] = from.exitance_[s][c] * weight;
+        flight.dim_at = dim * largest(flight.flux);
+        flight.path = static_cast<std::uint32_t>(n);
+        flight.bounces = 0;
+        return flight.dim_at > 0.0f;
+    }
+
     /// False if nothing goes that way.
     bool start(std::size_t n, Flight& flight) {
         const double share = (static_cast<double>(n) + 0.5) / static_cast<double>(points.size());
@@ -139,16 +201,23 @@ struct LightParticles::Tracer {
         flight.aperture_at = 0.0f;
         float weight = per_particle;
         if (is_aimed(n)) {
-            const std::size_t g = mix(mix(seed, n), 0) % from.apertures_.size();
+            const auto& beams = from.beams_;
+            const double at = unit(mix(mix(seed, n), 0)) * beams.back().cumulative;
+            const std::size_t g = static_cast<std::size_t>(
+                std::lower_bound(beams.begin(), beams.end() - 1, at,
+                                 [](const Beam& beam, double to) { return beam.cumulative < to; }) -
+                beams.begin());
             const Aperture& aperture = from.apertures_[g];
+            if (beams[g].is_wide)
+                return look_back(n, beams[g], aperture, {coordinate(0), coordinate(1)},
+                                 {coordinate(2), coordinate(3)}, flight);
             const RayPoint ray = aperture.at(coordinate(2), coordinate(3)) - flight.origin;
             const float squared = std::max(1e-14f, ray.squaredNorm());
             flight.aperture_at = std::sqrt(squared);
             flight.direction = ray / flight.aperture_at;
             weight *= 2.0f * std::max(0.0f, flight.direction.dot(normal)) *
-                      std::abs(flight.direction.dot(aperture.normal)) * aperture.area *
-                      static_cast<float>(from.apertures_.size()) /
-                      (squared * std::numbers::pi_v<float>);
+                      std::abs(flight.direction.dot(aperture.normal)) * aperture.area * 1.0f /
+                      (beams[g].chance * squared * std::numbers::pi_v<float>);
         } else {
             if (!from.apertures_.empty()) weight *= 2.0f;
             const Cone cone = from.cone_from(flight.origin);

@@ -53,6 +53,15 @@ class LightParticles {
         double cumulative = 0.0;      // of the chance to be picked, ends at 1
         std::array<float, 3> flux{};  // of one particle, times their number [W]
     };
+    struct Beam {                 // through an aperture
+        double cumulative = 0.0;  // of the chance to be picked, ends at 1
+        float chance = 0.0f;
+        std::array<float, 2> of_side{};  // chance that light is looked for there
+        /// Lamps fill so much of what is seen from it that directions find them; else they are
+        /// picked by their power.
+        bool is_wide = false;
+    };
+    void find_beams();
     struct Flight;
     struct Tracer;
     /// Round all that sends light back, as seen from a point.
@@ -69,6 +78,8 @@ class LightParticles {
     RayPoint centre_;  // of a sphere round all that sends light back [ray space]
     float radius_ = 0.0f;
     std::vector<Emitter> emitters_;
+    std::vector<Beam> beams_;                        // per aperture
+    std::vector<std::array<float, 3>> exitance_;     // per surface [W/m²]
     std::vector<double> lamp_power_;                 // luminance [W]
     std::vector<std::array<float, 3>> reflectance_;  // per surface [1]
     std::vector<RayPoint> normals_;

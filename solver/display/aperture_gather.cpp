@@ -12,7 +12,6 @@ constexpr int fewest = ray_batch;        // samples of an aperture
 constexpr float samples_of_size = 8.0f;  // times its width over the distance
 constexpr int most_at_first = 64, most_ever = 1024;
 constexpr int most_one_by_one = 256;  // first samples; else they are shared out among all
-constexpr double alike = 0.05;        // of their mean: samples that need no more beside them
 constexpr float reached = 1e-4f;      // of the way, by rounding
 /// A point for each of n strata, of the variance of n points by chance.
 constexpr double stratified = 0.5;
@@ -106,7 +105,7 @@ PointGather::Direct PointGather::through(const GatherPoint& point, const DirectE
     Direct found;
     const auto is_enough = [&](const Direct& part, double parts) {
         return part.variance <= std::max(effort.enough * effort.enough / parts,
-                                         std::pow(alike * luminance(part.irradiance), 2));
+                                         std::pow(effort.alike * luminance(part.irradiance), 2));
     };
     const int more = std::clamp(effort.most, most_at_first, most_ever);
     const auto coordinate = [&](std::size_t d, std::size_t k, std::uint64_t of) {

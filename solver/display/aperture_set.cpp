@@ -1,5 +1,6 @@
 #include "solver/display/aperture_set.h"
 
+#include "solver/form_factors/point_factor.h"
 #include "solver/rays/wide.h"
 
 #include <algorithm>
@@ -84,7 +85,9 @@ PATCHLIGHT_WIDE void bound(const Columns& of, int count, const float* origin, co
 ApertureSet::ApertureSet(const std::vector<Aperture>& apertures,
                          const std::vector<LightSource>& sources, const RayScene& rays) {
     for (const Aperture& aperture : apertures) add(aperture);
-    if (!empty()) find_glows(sources, rays);
+    if (empty()) return;
+    find_lit(sources, rays);
+    find_glows(sources, rays);
 }
 
 void ApertureSet::add(const Aperture& aperture) {
@@ -136,6 +139,22 @@ void ApertureSet::most_through(const RayPoint& origin, const RayPoint& normal,
                           distance + glow.radius,
                           glow.exitance};
         bound(columns, static_cast<int>(size()), origin.data(), normal.data(), sight, most.data());
+    }
+}
+
+void ApertureSet::find_lit(const std::vector<LightSource>& sources, const RayScene& rays) {
+    for (const Aperture& aperture : apertures_) {
+        const Vec3 centre = rays.from_ray_space(aperture.at(0.5f, 0.5f).cast<double>()),
+                   normal = aperture.normal.cast<double>();
+        std::array<Lit, 2> lit;
+        for (const LightSource& source : sources)
+            for (std::size_t side = 0; side < 2; ++side) {
+                const double factor = point_factor(centre, side == 0 ? normal : Vec3(-normal),
+                                                   source.polygon, source.normal);
+                lit[side].factor += factor;
+                lit[side].irradiance += factor * luminance(source.exitance);
+            }
+        lit_.push_back(lit);
     }
 }
 

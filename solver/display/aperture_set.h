@@ -30,15 +30,25 @@ class ApertureSet {
     /// plane it lies [W/m²]; 0 where none is seen through it: a bound by spheres round both.
     void most_through(const RayPoint& origin, const RayPoint& normal, std::span<float> most) const;
 
+    /// What sources would light one side of it, nothing between.
+    struct Lit {
+        double irradiance = 0.0;  // luminance, in the middle [W/m²]
+        double factor = 0.0;      // of all sources together [1]
+    };
+    /// From the side its normal points to, and from the other.
+    const std::array<Lit, 2>& lit(std::size_t g) const { return lit_[g]; }
+
   private:
     struct Glow {  // sources close together
         RayPoint centre;
         float radius = 0.0f;
         float exitance = 0.0f;  // of the brightest [W/m²]
     };
+    void find_lit(const std::vector<LightSource>& sources, const RayScene& rays);
     void find_glows(const std::vector<LightSource>& sources, const RayScene& rays);
 
     std::vector<Aperture> apertures_;
+    std::vector<std::array<Lit, 2>> lit_;
     enum Field : std::size_t {
         corner_x,
         corner_y,

@@ -66,7 +66,7 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
                           find_light_sources(scene, lines, rays, sources_for(mesh.size())),
                           most_rays, seed)),
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
-      near_lights_(scene, mesh, rays, gather_.sources(), gather_.apertures().all()),
+      near_lights_(scene, mesh, rays, gather_.sources(), gather_.apertures()),
       spots_(scene, mesh, rays, gather_.sources(), gather_.apertures().all(), seed),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
     restart_direct();

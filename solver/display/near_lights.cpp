@@ -1,7 +1,5 @@
 #include "solver/display/near_lights.h"
 
-#include "solver/form_factors/point_factor.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -32,24 +30,19 @@ double distance_to(const ConvexPolygon& polygon, const Vec3& normal, const Vec3&
 }  // namespace
 
 NearLights::NearLights(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                       const std::vector<LightSource>& sources,
-                       const std::vector<Aperture>& apertures)
+                       const std::vector<LightSource>& sources, const ApertureSet& apertures)
     : scene_(scene), mesh_(mesh), near_(mesh.size()) {
     for (const LightSource& source : sources)
         add({source.polygon, source.normal, narrow_side(source.polygon),
              std::numeric_limits<double>::infinity()});
-    for (const Aperture& aperture : apertures) {
+    for (std::size_t g = 0; g < apertures.size(); ++g) {
         const auto to_metres = [&](float u, float v) {
-            return rays.from_ray_space(aperture.at(u, v).cast<double>());
+            return rays.from_ray_space(apertures[g].at(u, v).cast<double>());
         };
-        const Vec3 centre = to_metres(0.5f, 0.5f), normal = aperture.normal.cast<double>();
         for (const double side : {1.0, -1.0}) {  // lit from behind
-            double most = 0.0;
-            for (const LightSource& source : sources)
-                most += luminance(source.exitance) *
-                        point_factor(centre, -side * normal, source.polygon, source.normal);
+            const double most = apertures.lit(g)[side > 0.0 ? 1 : 0].irradiance;
             if (!(most > 0.0)) continue;
-            Light light{{}, side * normal, 0.0, most};
+            Light light{{}, side * apertures[g].normal.cast<double>(), 0.0, most};
             for (const auto& [u, v] : {std::array{0.0f, 0.0f}, std::array{1.0f, 0.0f},
                                        std::array{1.0f, 1.0f}, std::array{0.0f, 1.0f}})
                 light.polygon.add(side > 0.0 ? to_metres(u, v) : to_metres(v, u));

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "solver/display/aperture.h"
-#include "solver/display/light_sources.h"
+#include "solver/display/aperture_set.h"
 #include "solver/display/refinement_tree.h"
 
 #include <vector>
@@ -14,7 +13,7 @@ namespace patchlight {
 class NearLights {
   public:
     NearLights(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-               const std::vector<LightSource>& sources, const std::vector<Aperture>& apertures);
+               const std::vector<LightSource>& sources, const ApertureSet& apertures);
 
     /// Whether an element is wider than the spot of a light it lies in, or beside; those of gaps
     /// count where they hold more of √∫ E² dA than `little` [W/m].

@@ -32,6 +32,7 @@ struct DirectEffort {
     /// Noise at a point that is of no matter: samples that leave no more need none beside them, and
     /// apertures through which no more can come are left out [W/m²].
     double enough = 0.0;
+    double alike = 0.02;  // the same, of what comes from one source or aperture [1]
     /// First samples of a source that would give `whole` [W/m²].
     int first_of(double whole) const;
 };
