@@ -10,7 +10,7 @@ namespace {
 
 constexpr int fewest = ray_batch;        // samples of an aperture
 constexpr float samples_of_size = 8.0f;  // times its width over the distance
-constexpr int most_at_first = 64, most_ever = 1024;
+constexpr int most_at_first = 64, most_ever = 1024, times_more = 4;
 constexpr int most_one_by_one = 256;  // first samples; else they are shared out among all
 constexpr float reached = 1e-4f;      // of the way, by rounding
 /// A point for each of n strata, of the variance of n points by chance.
@@ -78,8 +78,8 @@ struct PointGather::ApertureSamples {
     }
 };
 
-PointGather::Direct PointGather::through(const GatherPoint& point, const DirectEffort& effort,
-                                         std::uint64_t key) const {
+PointGather::Direct PointGather::through(const GatherPoint& point, double whole,
+                                         const DirectEffort& effort, std::uint64_t key) const {
     const RayPoint normal = point.normal.cast<float>();
     std::vector<float> most(apertures_.size());
     apertures_.most_through(point.origin, normal, most);
@@ -103,26 +103,34 @@ PointGather::Direct PointGather::through(const GatherPoint& point, const DirectE
         open.push_back({g, count, sum += static_cast<double>(most[g])});
     }
     Direct found;
-    const auto is_enough = [&](const Direct& part, double parts) {
-        return part.variance <= std::max(effort.enough * effort.enough / parts,
-                                         std::pow(effort.alike * luminance(part.irradiance), 2));
+    // Of n samples that agree, one more may see all that can come through.
+    const auto is_enough = [&](const Direct& part, int count, double all, double parts) {
+        const double doubt = std::min(all, whole) / count;
+        return std::max(part.variance, doubt * doubt) <=
+               std::max(effort.enough * effort.enough / parts,
+                        std::pow(effort.alike * luminance(part.irradiance), 2));
     };
     const int more = std::clamp(effort.most, most_at_first, most_ever);
     const auto coordinate = [&](std::size_t d, std::size_t k, std::uint64_t of) {
         return points_.at(d, k, static_cast<std::uint32_t>(mix(of, d)));
     };
+    const auto take_enough = [&](int first, double all, double parts, const auto& take) {
+        for (int count = first;; count = std::min(count * times_more, more)) {
+            const Direct part = take(count);
+            if (count >= more || is_enough(part, count, all, parts)) return part;
+        }
+    };
     if (wanted <= most_one_by_one) {
         for (const Open& one : open) {
-            const auto take = [&](int count) {
-                ApertureSamples samples{*this, point};
-                for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-                    samples.add(one.aperture, coordinate(0, k, mix(key, one.aperture)),
-                                coordinate(1, k, mix(key, one.aperture)), 1.0f);
-                return samples.mean();
-            };
-            Direct part = take(one.count);
-            if (!is_enough(part, static_cast<double>(open.size())) && one.count < more)
-                part = take(more);
+            const Direct part = take_enough(
+                one.count, static_cast<double>(most[one.aperture]),
+                static_cast<double>(open.size()), [&](int count) {
+                    ApertureSamples samples{*this, point};
+                    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+                        samples.add(one.aperture, coordinate(0, k, mix(key, one.aperture)),
+                                    coordinate(1, k, mix(key, one.aperture)), 1.0f);
+                    return samples.mean();
+                });
             found.irradiance += part.irradiance;
             found.variance += part.variance;
         }
@@ -143,9 +151,7 @@ PointGather::Direct PointGather::through(const GatherPoint& point, const DirectE
         }
         return samples.mean();
     };
-    found = take(most_one_by_one);
-    if (!is_enough(found, 1.0) && more > most_one_by_one) found = take(more);
-    return found;
+    return take_enough(most_one_by_one, sum, 1.0, take);
 }
 
 }  // namespace patchlight

@@ -183,7 +183,8 @@ PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEf
     for (auto lit = hidden.begin(); lit != many; ++lit)
         add(alone(point, *lit, effort, mix(key, lit->source)));
     if (many != hidden.end()) add(together(point, {many, hidden.end()}, effort, mix(key, ~0u)));
-    if (!apertures_.empty()) add(through(point, effort, mix(key, sources_.size())));
+    if (!apertures_.empty() && whole > 0.0)
+        add(through(point, whole, effort, mix(key, sources_.size())));
     return sum;
 }
 

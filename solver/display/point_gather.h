@@ -100,8 +100,10 @@ class PointGather {
                     std::uint64_t key) const;
     struct ManySamples;
 
-    /// What comes through apertures; of many, by samples of all together.
-    Direct through(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
+    /// What comes through apertures of the `whole` that sources would give, nothing between [W/m²];
+    /// of many, by samples of all together.
+    Direct through(const GatherPoint& point, double whole, const DirectEffort& effort,
+                   std::uint64_t key) const;
     struct ApertureSamples;
 
     struct Hemisphere;
