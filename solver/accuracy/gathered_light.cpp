@@ -17,6 +17,9 @@ constexpr double first_elements = 4000.0, root_elements = 400.0, most_elements =
 constexpr double noise_decay = 0.75;  // of a penumbra, with the number of samples of a lamp
 constexpr int most_samples = 8192;
 constexpr double bright_lamp = 16.0;  // times the mean: a lamp that must not be missed in part
+/// A first look at rooms lit through gaps, and of what it sees how much is sure to be there [1].
+constexpr DirectEffort glance{16, 64};
+constexpr double part_of_glance = 0.25;
 constexpr double correction_tolerance = 0.1;  // of a correction that is itself small [1]
 }  // namespace
 
@@ -58,7 +61,14 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
         return pass_.refine_direct({whatever_is_missed, first_elements}, effort) &&
                solve_coarse(tolerance, observe);
     };
-    bool is_whole = solve_once();
+    bool is_whole = true;
+    if (!pass_.points().gather().apertures().empty()) {
+        is_whole = pass_.refine_direct({whatever_is_missed, 1.0}, glance);
+        direct_means_ = means_of(pass_.show({})).direct;
+        effort.enough = part_of_glance * noise * mean_irradiance();
+        pass_.restart_direct();
+    }
+    is_whole = is_whole && solve_once();
     if (is_whole) {
         effort.bright = bright_lamp * mean_irradiance();
         effort.enough = noise * mean_irradiance();
@@ -103,7 +113,8 @@ double GatheredLight::mean_irradiance() const {
     double sum = 0.0, area = 0.0;
     for (PatchIndex i = 0; i < mesh_.size(); ++i) {
         const double a = mesh_.patches[i].covered ? 0.0 : mesh_.patches[i].area;
-        sum += a * luminance(direct_means_[i] + coarse_->irradiance()[i]);
+        sum += a * luminance(direct_means_[i]);
+        if (!coarse_->irradiance().empty()) sum += a * luminance(coarse_->irradiance()[i]);
         area += a;
     }
     return area > 0.0 ? sum / area : 0.0;
