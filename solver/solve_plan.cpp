@@ -18,7 +18,7 @@ namespace {
 
 constexpr double default_accuracy = 0.02;
 constexpr int default_analytic_rays = 1024;
-constexpr int coarse_analytic_rays = 256;  // where the display is gathered anew
+constexpr int coarse_rays = 256;  // where the display is gathered anew
 constexpr double fewest_coarse_patches = 40.0, most_coarse_patches = 300.0;
 constexpr double coarse_patch_share = 3.0;  // of a coarse solution's patches, over the accuracy
 constexpr std::size_t most_matrix_patches = 8000;  // of a coarse solution: more take too long
@@ -128,9 +128,9 @@ SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
     choose_method(scene, s);
     const bool shoots = s.method == Method::shooting;
     if (!s.rays && s.engine != Engine::hemicube)
-        s.rays = s.engine != Engine::analytic ? default_cast_rays
-                 : s.accuracy                 ? coarse_analytic_rays
-                                              : default_analytic_rays;
+        s.rays = s.accuracy                     ? coarse_rays
+                 : s.engine == Engine::analytic ? default_analytic_rays
+                                                : default_cast_rays;
     if (!s.hemicube_resolution && s.engine == Engine::hemicube)
         s.hemicube_resolution = default_hemicube_resolution;
     if (!s.tolerance)
