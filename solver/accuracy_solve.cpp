@@ -28,6 +28,8 @@ constexpr double balanced = 0.02;       // of the target, that may be missing of
 constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
+/// Of a time limit: what is left when gathering ends is for check points, particles, and the rest.
+constexpr double for_gathering = 0.85, for_checking = 0.91, for_particles = 0.96;
 constexpr int fewest_rays = 96, most_rays = 1 << 15;  // multiples of 32
 
 class AccuracySolve {
@@ -45,12 +47,16 @@ class AccuracySolve {
   private:
     std::uint64_t seed(std::uint64_t stream) const { return mix(solution_.settings.seed, stream); }
     bool go_on() {
-        if (stopped_ == StopReason::tolerance) stopped_ = stage_.watch.step({Stage::display});
+        if (stopped_ == StopReason::tolerance)
+            stopped_ = stage_.watch.step({Stage::display}, for_gathering);
         return stopped_ == StopReason::tolerance;
     }
+    /// After the limit of gathering there is a little time for a coarse solution that is shown.
     StopReason observe(int iteration, double residual) {
+        const Progress progress{Stage::solve, 0.0, iteration, residual};
+        if (stopped_ == StopReason::time_limit) return stage_.watch.step(progress, for_checking);
         if (stopped_ == StopReason::tolerance)
-            stopped_ = stage_.watch.step({Stage::solve, 0.0, iteration, residual});
+            stopped_ = stage_.watch.step(progress, for_gathering);
         return stopped_;
     }
     EnergyAim energy_aim() const;
@@ -135,21 +141,27 @@ bool AccuracySolve::gather(double coarseness) {
 }
 
 void AccuracySolve::measure() {
-    measured_ = error_measure().at(aim_, seed(0x636865636b), [this] { return go_on(); });
+    const bool is_hurried = stopped_ != StopReason::tolerance;
+    const auto may_go_on = [&] {
+        return is_hurried
+                   ? stage_.watch.step({Stage::display}, for_checking) == StopReason::tolerance
+                   : go_on();
+    };
+    measured_ = error_measure().at(aim_, seed(0x636865636b), is_hurried, may_go_on);
     if (measured_->error.met()) check_from_lamps();
     solution_.error = measured_->error;
 }
 
 void AccuracySolve::check_from_lamps() {
-    error_measure().check_from_lamps(aim_, seed(0x6c616d70), stopped_ != StopReason::tolerance,
-                                     *measured_);
+    const double seconds = stopped_ == StopReason::tolerance
+                               ? std::numeric_limits<double>::infinity()
+                               : stage_.watch.seconds_left(for_particles);
+    error_measure().check_from_lamps(aim_, seed(0x6c616d70), seconds, *measured_);
     solution_.error = measured_->error;
 }
 
 void AccuracySolve::aim_closer() {
     const double over_norm = passed_on / light_.norm();
-    if (getenv("PLDBG")) fprintf(stderr, "t %.2f direct %.4f indirect %.4f noise %.4f bent %.4f dnoise %.4f corr %.4f est %.4f | dv %zu iv %zu first %d most %d rays %d aimd %.4f aimi %.4f pts %d %d bright %g enough %g aps %zu\n",
-        stage_.watch.seconds_so_far(), over_norm * measured_->checks.direct.at_most(1.0), over_norm * measured_->checks.indirect.at_most(1.0), over_norm * light_.pass().indirect_noise(), over_norm * light_.pass().indirect().expected_miss(), over_norm * light_.pass().direct_noise(), light_.correction(), *measured_->error.estimate, light_.pass().direct().gathered(), light_.pass().indirect().gathered(), aim_.effort.first, aim_.effort.most, aim_.rays, aim_.direct, aim_.indirect, measured_->checks.direct.points, measured_->checks.indirect.points, aim_.effort.bright, aim_.effort.enough, light_.pass().points().gather().apertures().size());
     const RoundErrors errors{over_norm * measured_->checks.direct.at_most(1.0),
                              over_norm * measured_->checks.indirect.at_most(1.0),
                              over_norm * light_.pass().indirect_noise(),

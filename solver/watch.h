@@ -4,6 +4,7 @@
 #include "solver/transport/stop_rule.h"
 
 #include <chrono>
+#include <limits>
 #include <optional>
 
 namespace patchlight {
@@ -25,12 +26,16 @@ class Watch {
     double seconds_so_far() const {
         return std::chrono::duration<double>(Clock::now() - lap_).count();
     }
-    /// `tolerance`: go on.
-    StopReason step(const Progress& progress) {
+    /// `tolerance`: go on. `share`: of the time limit, what this work must leave the rest to.
+    StopReason step(const Progress& progress, double share = 1.0) {
         if (observe_ && observe_(progress) == Verdict::stop) return StopReason::cancelled;
-        const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-        if (time_limit_ && seconds > *time_limit_) return StopReason::time_limit;
+        if (seconds_left(share) < 0.0) return StopReason::time_limit;
         return StopReason::tolerance;
+    }
+    /// Until a share of the time limit has passed; without one for ever.
+    double seconds_left(double share = 1.0) const {
+        if (!time_limit_) return std::numeric_limits<double>::infinity();
+        return share * *time_limit_ - std::chrono::duration<double>(Clock::now() - start_).count();
     }
     /// Whether work on form factors that has not come to any of them yet may go on.
     bool may_prepare() { return step({Stage::form_factors}) == StopReason::tolerance; }

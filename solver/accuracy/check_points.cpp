@@ -139,17 +139,6 @@ struct Checker {
             ++object.points;
             report.missing[k % 2][patches[k]] += 2.0 * missing[k] / all;
         }
-        if (getenv("PLDBG")) {
-            std::vector<std::size_t> order(n);
-            for (std::size_t k = 0; k < n; ++k) order[k] = k;
-            std::sort(order.begin(), order.end(), [&](auto a, auto b) { return std::abs(products[a]) > std::abs(products[b]); });
-            double sum = 0; for (double p : products) sum += p;
-            for (std::size_t k = 0; k < 8 && k < n; ++k) {
-                const CheckPoint c = point(order[k], n);
-                fprintf(stderr, "   share %.3f obj %s at %.4f %.4f %.4f shown %.5g anew %.5g %.5g dens %g\n", products[order[k]] / sum, scene.objects[c.object].name.c_str(), c.place.position.x(), c.place.position.y(), c.place.position.z(), luminance(shown_at(c, values)), luminance(anew(c.place, key(order[k], 3))), luminance(anew(c.place, key(order[k], 4))), c.density);
-                for (int j = 0; j < 3; ++j) { const auto v = shown.display.triangles[c.triangle][j]; const auto& q = shown.display.positions[v]; fprintf(stderr, "      (%.4f %.4f %.4f) %.5g w %.2f\n", q.x(), q.y(), q.z(), luminance(values[v]), c.weight[j]); const auto pl = gather.point(shown.display.patch[c.triangle], q); fprintf(stderr, "           there %.5g, 16 %.5g\n", luminance(anew(pl, 5)), luminance(gather.gather().direct(pl, {16,149}, 6).irradiance)); }
-            }
-        }
         MeasuredError error = measure(products);
         for (const double mean : means) error.mean += mean / static_cast<double>(n);
         return error;

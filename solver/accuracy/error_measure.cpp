@@ -14,8 +14,9 @@ constexpr double left_by_correction = 0.3;  // of the correction's size, that is
 constexpr double uncorrected = 2.0;         // times a change that could not be sent on
 constexpr double doubtful = 1.4;            // times what was measured: few points count for much
 constexpr double promising = 0.9;           // of the target: worth more points
-constexpr int most_checks = 8;
-constexpr double share_of_rays = 0.1;  // of those gathered with, particles may take
+constexpr int most_checks = 8, most_in_a_hurry = 32;
+constexpr int fewest_in_a_hurry = 128;  // check points at a time
+constexpr double share_of_rays = 0.1;   // of those gathered with, particles may take
 constexpr std::size_t vertices_per_check = 8;
 constexpr double propagation_tolerance = 0.01;  // of what a residual comes to
 
@@ -28,10 +29,6 @@ void heed_energy(const EnergyReport& energy, const std::vector<Rgb>& weight, con
         sum += missing[i];
         whole += weight[i];
     }
-    if (getenv("PLDBG"))
-        fprintf(stderr, "heed: sum %g sigma %g energy %g sigma %g whole %g\n", sum[1],
-                std::sqrt(variance[1]), energy.missing()[1],
-                energy.standard_error * energy.emitted[1], whole[1]);
     const Rgb noise = (energy.standard_error * energy.emitted).square();
     const Rgb share =
         (energy.missing() - sum) * variance / (variance + noise).max(1e-300) / whole.max(1e-300);
@@ -84,7 +81,7 @@ Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight&
     return evidence;
 }
 
-MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed,
+MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed, bool is_hurried,
                                const std::function<bool()>& go_on) const {
     CheckEffort effort;
     effort.direct = {std::max(64, 2 * aim.effort.first), 2 * aim.effort.most, aim.effort.bright,
@@ -92,10 +89,14 @@ MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed,
     effort.rays = std::clamp(aim.rays / 64 * 32, 256, 4096);
     effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
         light.pass().indirect().gathered() / vertices_per_check, 384, 4096));
+    if (is_hurried) {
+        effort.direct_points = fewest_in_a_hurry;
+        effort.indirect_points = fewest_in_a_hurry;
+    }
     const ReflectedLight reflected = light.reflected();
     MeasuredRound round;
-    for (int times = 1; times <= most_checks; times *= 2) {
-        for (int k = times / 2; k < times; ++k) {
+    for (int times = 1; times <= (is_hurried ? most_in_a_hurry : most_checks); times *= 2) {
+        for (int k = times / 2; k < times && (k < 1 || !is_hurried || go_on()); ++k) {
             CheckReport more = light.check(effort, mix(seed, static_cast<std::uint64_t>(k)));
             round.checks = k > 0 ? joined(round.checks, more) : std::move(more);
         }
@@ -103,14 +104,14 @@ MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed,
         round.error = judge(all);
         if (!round.error.estimate) break;
         const double without_doubt = *judge(all, 0.0).estimate;
-        const bool worth_it = without_doubt < promising * target ||
+        const bool worth_it = is_hurried || without_doubt < promising * target ||
                               (times == 1 && *round.error.estimate > doubtful * without_doubt);
         if (round.error.met() || !worth_it || !go_on()) break;
     }
     return round;
 }
 
-void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, bool hurried,
+void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, double seconds,
                                     MeasuredRound& round) const {
     if (!round.error.estimate) return;
     const ReflectedLight reflected = light.reflected();
@@ -120,7 +121,7 @@ void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, bo
     ParticleEffort effort;
     effort.target = target;
     effort.rays = static_cast<std::uint64_t>(share_of_rays * gathered);
-    effort.is_hurried = hurried;
+    effort.seconds = seconds;
     effort.norm = reflected.norm;
     effort.area = reflected.area;
     ParticleEvidence found =

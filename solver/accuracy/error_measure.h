@@ -26,17 +26,16 @@ struct ErrorMeasure {
 
     /// Until it is known well enough: where the target would be met but for the doubt that few
     /// points leave, or one of them counts for very much, more of them.
-    MeasuredRound at(const GatherAim& aim, std::uint64_t seed,
+    /// In a hurry there are few at a time, and as many as `go_on` allows.
+    MeasuredRound at(const GatherAim& aim, std::uint64_t seed, bool is_hurried,
                      const std::function<bool()>& go_on) const;
 
-    /// Adds what particles say; in a hurry a few of them.
-    void check_from_lamps(const GatherAim& aim, std::uint64_t seed, bool hurried,
+    /// Adds what particles say; as many as about `seconds` allow.
+    void check_from_lamps(const GatherAim& aim, std::uint64_t seed, double seconds,
                           MeasuredRound& round) const;
 
   private:
     Evidence evidence(const CheckReport& checks, const ReflectedLight& reflected) const;
-    void check_from_lamps(const GatherAim& aim, const ReflectedLight& reflected, std::uint64_t seed,
-                          MeasuredRound& round) const;
     std::optional<double> propagated(const CheckReport& checks, double norm) const;
 };
 

@@ -80,7 +80,7 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
         pass_.restart_direct();
         is_whole = solve_once();
     }
-    if (!is_whole) show_what_there_is(tolerance);
+    if (!is_whole) show_what_there_is(tolerance, observe);
     return is_whole;
 }
 
@@ -185,7 +185,7 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
                                   std::min(most_elements, root_elements / std::sqrt(aim.direct))},
         indirect{aim.indirect * norm(), 1.0 / aim.indirect};
     if (!pass_.refine_direct(direct, aim.effort)) {
-        show_what_there_is(tolerance);
+        show_what_there_is(tolerance, observe);
         return false;
     }
     const bool first = !shown_;
@@ -203,7 +203,7 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
         !pass_.refine_indirect(indirect, *read_, aim.rays)) {
         if (!shown_) {
             pass_.restart_indirect();
-            show_what_there_is(tolerance);
+            show_what_there_is(tolerance, observe);
         }
         return false;
     }
@@ -236,10 +236,10 @@ void GatheredLight::show(const SplitIrradiance& gathered) {
 }
 
 /// Direct light as far as it was gathered, and the rest as the coarse solution has it.
-void GatheredLight::show_what_there_is(double tolerance) {
+void GatheredLight::show_what_there_is(double tolerance, const CoarseTransport::Observe& observe) {
     if (shown_) return;
     const SplitIrradiance gathered = means_of(pass_.show({}));
-    coarse_->solve(gathered.direct, tolerance, {});
+    coarse_->solve(gathered.direct, tolerance, observe);
     field_means_ = coarse_->reflected();
     correction_.irradiance = coarse_->irradiance();
     shown_ = pass_.show(correction_.irradiance);

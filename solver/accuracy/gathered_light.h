@@ -83,7 +83,7 @@ class GatheredLight {
     void read_newest();
     void balance(double tolerance);
     void show(const SplitIrradiance& gathered);
-    void show_what_there_is(double tolerance);
+    void show_what_there_is(double tolerance, const CoarseTransport::Observe& observe);
     std::vector<Rgb> evened_out(const std::vector<Rgb>& irradiance, double tolerance) const;
 
     const Scene& scene_;

@@ -3,6 +3,7 @@
 #include "solver/rays/low_discrepancy.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace patchlight {
@@ -10,7 +11,8 @@ namespace patchlight {
 namespace {
 
 constexpr std::size_t pilot = 1024;  // particles that tell how many rays each takes
-constexpr std::size_t fewest = 4096, most = 1 << 24, most_in_a_hurry = 1 << 15;
+constexpr std::size_t fewest = 4096, most = 1 << 24;
+constexpr double compared = 0.5;  // of the time there is: the rest is for comparing what landed
 /// Noise of σ in each region makes Σ max(0, |miss| - 2σ)² about (0.107 σ)² of nothing: with
 /// 0.3 of the target for that, regions of (0.107 / (0.3 target))² landings and more.
 constexpr double by_chance = 0.107, allowed = 0.3;
@@ -23,14 +25,13 @@ double landings_for(double target) {
     return std::max(fewest_landings, std::pow(by_chance / (allowed * target), 2));
 }
 
-/// So many particles, times what a doubt of one in n makes, keep the doubt of all lamps together at
-/// that: their power times their number, as the pilot's shares are kept.
-double powers(const ParticleFlux& flux) {
-    double sum = 0.0;
+/// Most that one particle of a lamp stands for, times the number of all [W].
+double most_of_one(const ParticleFlux& flux) {
+    double most = 0.0;
     for (const LampFate& lamp : flux.lamps)
-        sum += lamp.power * static_cast<double>(flux.particles) /
-               static_cast<double>(std::max<std::uint64_t>(1, lamp.particles));
-    return sum;
+        most = std::max(most, lamp.power * static_cast<double>(flux.particles) /
+                                  static_cast<double>(std::max<std::uint64_t>(1, lamp.particles)));
+    return most;
 }
 
 double mean_reflectance(const Scene& scene) {
@@ -50,6 +51,7 @@ ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, cons
     ParticleEvidence evidence;
     const LightParticles particles(scene, mesh, rays, apertures);
     if (particles.empty() || !(effort.norm > 0.0)) return evidence;
+    const auto start = std::chrono::steady_clock::now();
     const ParticleFlux first = particles.send(pilot, mix(seed, 0));
     const double each = static_cast<double>(first.rays) / static_cast<double>(first.particles),
                  landings = std::max(1.0, static_cast<double>(first.landings.size())) /
@@ -57,20 +59,24 @@ ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, cons
                  wanted = landings_for(effort.target);
     const double per_doubt =
         doubt_of_none * mean_reflectance(scene) / (std::sqrt(effort.area) * effort.norm);
-    const double sure_enough = per_doubt * powers(first) / (allowed * effort.target);
-    const double count = std::max(
+    const double sure_enough = per_doubt * most_of_one(first) / (allowed * effort.target);
+    double count = std::max(
         std::min(static_cast<double>(effort.rays) / each, most_regions * wanted / landings),
-        std::min(sure_enough, effort.is_hurried ? 0.0 : most_for_doubt));
-    const ParticleFlux flux = particles.send(std::clamp(static_cast<std::size_t>(count), fewest,
-                                                        effort.is_hurried ? most_in_a_hurry : most),
-                                             mix(seed, 1));
+        std::min(sure_enough, most_for_doubt));
+    if (std::isfinite(effort.seconds)) {
+        const double of_pilot =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        count = std::min(count, compared * effort.seconds / of_pilot * static_cast<double>(pilot));
+    }
+    const ParticleFlux flux =
+        particles.send(static_cast<std::size_t>(std::clamp(count, static_cast<double>(fewest),
+                                                           static_cast<double>(most))),
+                       mix(seed, 1));
     constexpr double deciding = 0.25;  // of the landings
     evidence.regions = make_flux_regions(scene, mesh, rays, shown, flux,
                                          static_cast<int>(std::ceil(deciding * wanted)));
     evidence.check = compare_flux(evidence.regions, effort.norm);
-    for (const LampFate& lamp : flux.lamps)
-        evidence.check.doubt += per_doubt * lamp.power /
-                                static_cast<double>(std::max<std::uint64_t>(1, lamp.particles));
+    evidence.check.doubt = per_doubt * most_of_one(flux) / static_cast<double>(flux.particles);
     evidence.check.particles = flux.particles;
     evidence.check.rays = first.rays + flux.rays;
     return evidence;

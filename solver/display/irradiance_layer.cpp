@@ -197,14 +197,6 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
             else
                 kept.push_back(leaf);
         }
-        if (getenv("PLDBG")) {
-            std::array<int, 16> levels{}; int must = 0; double sure = 0, dbt = 0;
-            for (auto e : marked) { ++levels[tree.elements()[e].level]; must += must_cut(tree.elements()[e]); }
-            for (const Leaf& leaf : leaves_) { sure += leaf.sure; dbt += leaf.doubt; }
-            fprintf(stderr, "refine gathered %zu leaves %zu marked %zu must %d total %g budget %g sure %g doubt %g levels", gathered_, leaves_.size(), marked.size(), must, total, budget, sure, dbt);
-            for (int k = 0; k < 15; ++k) fprintf(stderr, " %d", levels[k]);
-            fprintf(stderr, "\n");
-        }
         if (marked.empty() && follows-- > 0) follow_neighbours(tree, rule, marked, kept);
         if (marked.empty()) return true;
         std::vector<std::uint32_t> children;
