@@ -7,7 +7,7 @@
 //   --accuracy A,B,…   asked for (0.1,0.03,0.01)       --time-limit S  of a solve (60)
 //   --landings N       of the truth's light (2e7)      --bin N         landings a bin (500)
 //   --threads N        of a solve (2)                  --seed N        of the truth (1)
-//   --searches N       for small spots, a round (640000)
+//   --searches N       for small spots, a round (6400000)
 //   --write DIR        writes CLASS-SEED.json there     --no-solve      no more than that
 //   --flux FILE        writes what arrives at each object by the light tracer
 //
