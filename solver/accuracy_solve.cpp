@@ -162,6 +162,8 @@ void AccuracySolve::check_from_lamps() {
 
 void AccuracySolve::aim_closer() {
     const double over_norm = passed_on / light_.norm();
+    if (getenv("PLDBG")) fprintf(stderr, "t %.2f direct %.4f indirect %.4f noise %.4f bent %.4f dnoise %.4f corr %.4f est %.4f | dv %zu iv %zu first %d most %d rays %d aimd %.4f aimi %.4f pts %d %d bright %g enough %g aps %zu\n",
+        stage_.watch.seconds_so_far(), over_norm * measured_->checks.direct.at_most(1.0), over_norm * measured_->checks.indirect.at_most(1.0), over_norm * light_.pass().indirect_noise(), over_norm * light_.pass().indirect().expected_miss(), over_norm * light_.pass().direct_noise(), light_.correction(), *measured_->error.estimate, light_.pass().direct().gathered(), light_.pass().indirect().gathered(), aim_.effort.first, aim_.effort.most, aim_.rays, aim_.direct, aim_.indirect, measured_->checks.direct.points, measured_->checks.indirect.points, aim_.effort.bright, aim_.effort.enough, light_.pass().points().gather().apertures().size());
     const RoundErrors errors{over_norm * measured_->checks.direct.at_most(1.0),
                              over_norm * measured_->checks.indirect.at_most(1.0),
                              over_norm * light_.pass().indirect_noise(),

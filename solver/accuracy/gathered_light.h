@@ -15,7 +15,8 @@ namespace patchlight {
 struct GatherAim {
     double direct = 0.0, indirect = 0.0;  // that interpolation may miss of either, over `norm` [1]
     DirectEffort effort;
-    int rays = 32;  // at a point
+    bool direct_anew = false;  // at all vertices, as there are more samples now
+    int rays = 32;             // at a point
     enum class Indirect {
         anew,    // reads what was displayed before
         joined,  // to what the round before gathered: more rays, finer

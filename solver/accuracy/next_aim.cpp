@@ -17,7 +17,8 @@ constexpr double improving = 0.7;     // of the error before: rounds alone bring
 constexpr double smoothed = 0.85;     // of the noise, what smoothing leaves [1]
 constexpr double most_sampled = 0.7;  // of what is planned, that vertices cannot bring down [1]
 constexpr double at_once = 0.5;       // of a cause, what one round brings it down to at most
-constexpr int most_first = 512;       // samples of each lamp
+constexpr int most_first = 512, times_first = 4;  // samples of each lamp
+constexpr int most_most = 8192, times_most = 4;   // of one seen in part
 /// Samples of each lamp, times the target, and of one seen in part at a target: its noise falls
 /// with the power 0.75 of their number. Measured on random rooms.
 constexpr double first_for = 0.5, samples_at = 384.0, samples_for = 0.01, samples_power = 1.4;
@@ -81,11 +82,18 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
     const auto scale = [&](std::size_t k) {
         return missed[k] > allowed[k] ? std::max(at_once, allowed[k] / missed[k]) : 1.0;
     };
-    if (scale(0) < 1.0) {
-        aim.direct *= scale(0);
-        // The next time, it was not bends alone: there is what samples did not find.
-        if (std::exchange(direct_missed_, true))
-            aim.effort.first = std::min(2 * aim.effort.first, most_first);
+    aim.direct_anew = false;
+    if (errors.direct_noise > sampled && aim.effort.most < most_most) {
+        aim.effort.most = std::min(times_most * aim.effort.most, most_most);
+        aim.direct_anew = true;
+    } else if (scale(0) < 1.0) {
+        // Every other time, as it was not bends alone: there is what samples did not find.
+        aim.direct_anew =
+            std::exchange(direct_missed_, !direct_missed_) && aim.effort.first < most_first;
+        if (aim.direct_anew)
+            aim.effort.first = std::min(times_first * aim.effort.first, most_first);
+        else
+            aim.direct *= scale(0);
     }
     if (scale(1) == 1.0 && scale(2) == 1.0) {
         aim.gathered = GatherAim::Indirect::kept;

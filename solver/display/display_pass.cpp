@@ -14,8 +14,10 @@ namespace {
 /// The rest are as good as bright walls to rays.
 constexpr std::size_t fewest_sources = 8, most_sources = 2048;
 constexpr std::size_t most_source_pairs = 50'000'000;
-constexpr int most_rays = 1 << 16;     // of one point
-constexpr int most_levels = 14;        // of direct light: gaps of a millimetre in walls of metres
+constexpr int most_rays = 1 << 16;  // of one point
+/// Of direct light: what takes more is hardly bends, and is measured before it is cut further.
+constexpr std::size_t most_first_vertices = 100'000, most_times = 3;
+constexpr int most_levels = 14;        // gaps of a millimetre in walls of metres
 constexpr double expected_miss = 0.5;  // of indirect light's target, however smooth it looks [1]
 constexpr int most_bend_cuts = 2;      // each leaves a quarter
 constexpr double parabola_over_line = 8.0 / 15.0;  // mean square beside that in the middle [1]
@@ -89,8 +91,12 @@ bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
     };
     rule.follow = true;
     rule.most_levels = most_levels;
-    return direct_->refine(tree_, weight_, rule,
-                           [&](auto vertices) { return points_.direct(tree_, vertices, effort); });
+    rule.most_vertices = std::max(most_first_vertices, most_times * direct_gathered_);
+    const bool is_whole = direct_->refine(tree_, weight_, rule, [&](auto vertices) {
+        return points_.direct(tree_, vertices, effort);
+    });
+    direct_gathered_ = std::max(direct_gathered_, direct_->gathered());
+    return is_whole;
 }
 
 void DisplayPass::restart_direct() { direct_.emplace(tree_.vertices().size()); }

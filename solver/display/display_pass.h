@@ -60,9 +60,10 @@ class DisplayPass {
     LightSpots spots_;
     RefinementTree tree_;
     std::optional<IrradianceLayer> direct_, indirect_;
-    int indirect_rays_ = 0;    // of each vertex so far
-    double area_ = 0.0;        // of what is not covered [m²]
-    std::vector<Rgb> weight_;  // per patch, of irradiance that is missed [1]
+    int indirect_rays_ = 0;            // of each vertex so far
+    std::size_t direct_gathered_ = 0;  // vertices, at most so far
+    double area_ = 0.0;                // of what is not covered [m²]
+    std::vector<Rgb> weight_;          // per patch, of irradiance that is missed [1]
 };
 
 }  // namespace patchlight

@@ -69,7 +69,12 @@ TEST(NextAim, RefinesDirectLightAloneWhereItAloneIsToBlame) {
     EXPECT_LT(rounds.aim.direct, 0.0025);
     EXPECT_EQ(rounds.aim.effort.first, 64) << "it may have been bends alone";
     rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005});
-    EXPECT_EQ(rounds.aim.effort.first, 128) << "it was not";
+    EXPECT_EQ(rounds.aim.effort.first, 256) << "it was not";
+    EXPECT_TRUE(rounds.aim.direct_anew);
+    const double direct = rounds.aim.direct;
+    rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005});
+    EXPECT_FALSE(rounds.aim.direct_anew);
+    EXPECT_LT(rounds.aim.direct, direct) << "bends again";
     EXPECT_EQ(rounds.aim.rays, 256);
 }
 
@@ -79,6 +84,15 @@ TEST(NextAim, DoesNotCutForNoiseOfLampsThatAreSeenInPart) {
     EXPECT_DOUBLE_EQ(rounds.aim.direct, 0.0025) << "vertices would not bring it down";
     EXPECT_LT(rounds.less, 1.0);
     EXPECT_LE(std::hypot(rounds.less * 0.0095, 0.0052), 0.9 * target) << "other light makes up";
+}
+
+TEST(NextAim, TakesMoreSamplesOfLampsSeenInPartWhereTheirNoiseIsTooMuch) {
+    Rounds rounds;
+    const int before = rounds.aim.effort.most;
+    rounds.after({0.012, 0.003, 0.003, 0.001, 0.011, 0.0005});
+    EXPECT_GT(rounds.aim.effort.most, before);
+    EXPECT_TRUE(rounds.aim.direct_anew) << "samples are not joined";
+    EXPECT_DOUBLE_EQ(rounds.aim.direct, 0.0025);
 }
 
 TEST(NextAim, DoesNotAskForMoreWhileWhatRaysReadIsWrong) {
