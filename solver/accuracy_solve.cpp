@@ -59,6 +59,9 @@ class AccuracySolve {
             stopped_ = stage_.watch.step(progress, for_gathering);
         return stopped_;
     }
+    CoarseTransport::Observe observer() {
+        return [this](int iteration, double residual) { return observe(iteration, residual); };
+    }
     EnergyAim energy_aim() const;
     bool prepare_transport();
     bool gather(double coarseness);
@@ -135,19 +138,15 @@ bool AccuracySolve::gather(double coarseness) {
     if (coarseness > 1.0)
         aim.rays = light_.noise().rays_for(coarseness * light_.noise().absolute(aim_.rays),
                                            fewest_rays, aim_.rays);
-    return light_.gather(
-        aim, *solution_.settings.tolerance,
-        [this](int iteration, double residual) { return observe(iteration, residual); });
+    aim.direct_anew = aim.direct_anew && coarseness == 1.0;
+    return light_.gather(aim, *solution_.settings.tolerance, observer());
 }
 
 void AccuracySolve::measure() {
     const bool is_hurried = stopped_ != StopReason::tolerance;
-    const auto may_go_on = [&] {
-        return is_hurried
-                   ? stage_.watch.step({Stage::display}, for_checking) == StopReason::tolerance
-                   : go_on();
-    };
-    measured_ = error_measure().at(aim_, seed(0x636865636b), is_hurried, may_go_on);
+    measured_ = error_measure().at(aim_, seed(0x636865636b), is_hurried, [&] {
+        return is_hurried ? stage_.watch.seconds_left(for_checking) > 0.0 : go_on();
+    });
     if (measured_->error.met()) check_from_lamps();
     solution_.error = measured_->error;
 }
@@ -162,8 +161,6 @@ void AccuracySolve::check_from_lamps() {
 
 void AccuracySolve::aim_closer() {
     const double over_norm = passed_on / light_.norm();
-    if (getenv("PLDBG")) fprintf(stderr, "t %.2f direct %.4f indirect %.4f noise %.4f bent %.4f dnoise %.4f corr %.4f est %.4f | dv %zu iv %zu first %d most %d rays %d aimd %.4f aimi %.4f pts %d %d bright %g enough %g aps %zu\n",
-        stage_.watch.seconds_so_far(), over_norm * measured_->checks.direct.at_most(1.0), over_norm * measured_->checks.indirect.at_most(1.0), over_norm * light_.pass().indirect_noise(), over_norm * light_.pass().indirect().expected_miss(), over_norm * light_.pass().direct_noise(), light_.correction(), *measured_->error.estimate, light_.pass().direct().gathered(), light_.pass().indirect().gathered(), aim_.effort.first, aim_.effort.most, aim_.rays, aim_.direct, aim_.indirect, measured_->checks.direct.points, measured_->checks.indirect.points, aim_.effort.bright, aim_.effort.enough, light_.pass().points().gather().apertures().size());
     const RoundErrors errors{over_norm * measured_->checks.direct.at_most(1.0),
                              over_norm * measured_->checks.indirect.at_most(1.0),
                              over_norm * light_.pass().indirect_noise(),
@@ -214,12 +211,9 @@ void AccuracySolve::run() {
     solution_.status = Status::limit;
     const double first_target = target_ < one_round ? coarser * target_ : target_;
     aim_ = first_aim(target_, first_target, fewest_rays);
-    const auto observe_solve = [this](int iteration, double residual) {
-        return observe(iteration, residual);
-    };
     if (prepare_transport() &&
         light_.start(*transport_, backs_, energy_aim(), aim_.effort, direct_noise * target_,
-                     *solution_.settings.tolerance, observe_solve)) {
+                     *solution_.settings.tolerance, observer())) {
         aim_.rays = light_.noise().rays_for(
             first_noise(first_target) * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();
@@ -265,18 +259,14 @@ void AccuracySolve::light_sensors() {
 
 /// Where the light went, of fields that are filled in.
 void AccuracySolve::account() {
-    Rgb backs = Rgb::Zero(), escaped = Rgb::Zero();
     solution_.radiosity = exitances(stage_.scene, solution_.mesh);
     for (PatchIndex i = 0; i < solution_.mesh.size(); ++i) {
-        const Patch& patch = solution_.mesh.patches[i];
-        const Material& material =
-            stage_.scene.materials[stage_.scene.surfaces[patch.surface].material];
-        solution_.radiosity[i] += material.reflectance * solution_.irradiance[i];
-        backs += patch.area * backs_[i] * solution_.radiosity[i];
-        escaped += patch.area * escaped_[i] * solution_.radiosity[i];
+        const Surface& surface = stage_.scene.surfaces[solution_.mesh.patches[i].surface];
+        solution_.radiosity[i] +=
+            stage_.scene.materials[surface.material].reflectance * solution_.irradiance[i];
     }
-    solution_.energy =
-        measure_energy(stage_.scene, solution_.mesh, backs, escaped, solution_.irradiance);
+    solution_.energy = measure_energy(stage_.scene, solution_.mesh, backs_, escaped_,
+                                      solution_.radiosity, solution_.irradiance);
 }
 
 void AccuracySolve::finish() {

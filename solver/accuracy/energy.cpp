@@ -26,14 +26,20 @@ EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh, const Rgb
 }
 
 EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
+                            const std::vector<double>& backs, const std::vector<double>& escaped,
+                            const std::vector<Rgb>& radiosity, const std::vector<Rgb>& irradiance) {
+    Rgb to_backs = Rgb::Zero(), outside = Rgb::Zero();
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        to_backs += mesh.patches[i].area * backs[i] * radiosity[i];
+        outside += mesh.patches[i].area * escaped[i] * radiosity[i];
+    }
+    return measure_energy(scene, mesh, to_backs, outside, irradiance);
+}
+
+EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
                             const ExchangeMatrix& exchange, const std::vector<Rgb>& radiosity,
                             const std::vector<Rgb>& irradiance) {
-    Rgb backs = Rgb::Zero(), escaped = Rgb::Zero();
-    for (PatchIndex i = 0; i < mesh.size(); ++i) {
-        backs += mesh.patches[i].area * exchange.backs[i] * radiosity[i];
-        escaped += mesh.patches[i].area * exchange.escaped[i] * radiosity[i];
-    }
-    return measure_energy(scene, mesh, backs, escaped, irradiance);
+    return measure_energy(scene, mesh, exchange.backs, exchange.escaped, radiosity, irradiance);
 }
 
 EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh, const OutsideFlux& outside,

@@ -13,7 +13,10 @@ namespace patchlight {
 EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh, const Rgb& backs,
                             const Rgb& escaped, const std::vector<Rgb>& irradiance);
 
-/// The same with Σ A B times the shares of backs and escapes that the matrix states.
+/// The same with Σ A B times shares of backs and escapes, given or as the matrix states them.
+EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
+                            const std::vector<double>& backs, const std::vector<double>& escaped,
+                            const std::vector<Rgb>& radiosity, const std::vector<Rgb>& irradiance);
 EnergyReport measure_energy(const Scene& scene, const PatchMesh& mesh,
                             const ExchangeMatrix& exchange, const std::vector<Rgb>& radiosity,
                             const std::vector<Rgb>& irradiance);

@@ -208,20 +208,14 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
         }
         return false;
     }
-    if (getenv("PLDBG"))
-        fprintf(stderr, "before bends %zu\n", pass_.show({}).display.triangles.size());
     pass_.show_bends(left_of_bends * std::hypot(aim.direct, aim.indirect) * norm());
     const SplitIrradiance gathered = means_of(pass_.show({}));
     std::vector<Rgb> change = other_exitance_;
     for (std::size_t i = 0; i < change.size(); ++i)
         change[i] += coarse_->reflectance()[i] * (gathered.direct[i] + gathered.indirect[i]) -
                      read_means_[i];
-    if (getenv("PLDBG"))
-        fprintf(stderr, "gathered dv %zu iv %zu shown tri\n", pass_.direct().gathered(),
-                pass_.indirect().gathered());
     correction_ = coarse_->correct(change, correction_tolerance);
     shown_ = pass_.show(correction_.irradiance);
-    if (getenv("PLDBG")) fprintf(stderr, "shown %zu\n", shown_->display.triangles.size());
     balance(tolerance);
     show(gathered);
     return true;

@@ -191,7 +191,7 @@ class ApertureSearch {
 
     /// A lamp of which little is seen through the gap, or a spot that vertices may miss.
     bool is_worth_it(const Aperture& gap, const Passage& passage) const {
-        constexpr float little = 0.25f, spot_of_widest = 0.75f;
+        constexpr float little = 0.25f, spot_of_widest = 4.0f;  // two to three vertices across
         constexpr float far_from_both = 0.25f;  // else it is an edge that light grazes, or no gap
         const float width = std::min(gap.first_edge.norm(), gap.second_edge.norm()),
                     lamp = static_cast<float>(narrow_side(passage.source->polygon) * rays_.scale());

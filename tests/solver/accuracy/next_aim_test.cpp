@@ -12,7 +12,7 @@ using Indirect = GatherAim::Indirect;
 
 struct Rounds {
     NextAim next{target};
-    GatherAim aim{0.0025, 0.002, {64, 384}, 256, Indirect::anew};
+    GatherAim aim{0.0025, 0.002, {64, 384}, false, 256, Indirect::anew};
     double less = 1.0;  // of the noise, what was asked for
     bool settles = false;
 
