@@ -10,7 +10,7 @@
 namespace patchlight {
 
 namespace {
-constexpr double rounding = 1e-9;      // of what is given off, hardly a reflection [1]
+constexpr double rounding = 1e-12;     // of what is given off, hardly a reflection [1]
 constexpr double left_of_bends = 0.3;  // that triangles miss, beside what gathering may miss [1]
 /// Of direct light, where something shades: at first, and over the root of its aim.
 constexpr double first_elements = 4000.0, root_elements = 400.0, most_elements = 8000.0;
