@@ -10,7 +10,9 @@ namespace {
 
 constexpr int fewest = ray_batch;        // samples of an aperture
 constexpr float samples_of_size = 8.0f;  // times its width over the distance
-constexpr int most_at_first = 64, most_ever = 1024, times_more = 4;
+constexpr int most_at_first = 64, most_ever = 8192, times_more = 4;
+constexpr int most_of_many = 1024;    // what each of many misses evens out
+constexpr std::size_t few = 4;        // apertures
 constexpr int most_one_by_one = 256;  // first samples; else they are shared out among all
 constexpr float reached = 1e-4f;      // of the way, by rounding
 /// A point for each of n strata, of the variance of n points by chance.
@@ -104,35 +106,41 @@ PointGather::Direct PointGather::through(const GatherPoint& point, double whole,
     }
     Direct found;
     // Of n samples that agree, one more may see all that can come through.
-    const auto is_enough = [&](const Direct& part, int count, double all, double parts) {
+    const auto is_enough = [&](const Direct& part, int count, double all, double parts,
+                               double light) {
         const double doubt = std::min(all, whole) / count;
-        return std::max(part.variance, doubt * doubt) <=
-               std::max(effort.enough * effort.enough / parts,
-                        std::pow(effort.alike * luminance(part.irradiance), 2));
+        return std::max(part.variance, doubt * doubt) * parts <=
+               std::pow(std::max(effort.enough, effort.alike * light), 2);
     };
-    const int more = std::clamp(effort.most, most_at_first, most_ever);
+    const int more =
+        std::clamp(effort.most, most_at_first, open.size() > few ? most_of_many : most_ever);
     const auto coordinate = [&](std::size_t d, std::size_t k, std::uint64_t of) {
         return points_.at(d, k, static_cast<std::uint32_t>(mix(of, d)));
     };
-    const auto take_enough = [&](int first, double all, double parts, const auto& take) {
-        for (int count = first;; count = std::min(count * times_more, more)) {
-            const Direct part = take(count);
-            if (count >= more || is_enough(part, count, all, parts)) return part;
-        }
-    };
     if (wanted <= most_one_by_one) {
+        const auto take = [&](const Open& one, int count) {
+            ApertureSamples samples{*this, point};
+            const std::uint64_t of = mix(key, one.aperture);
+            for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
+                samples.add(one.aperture, coordinate(0, k, of), coordinate(1, k, of), 1.0f);
+            return samples.mean();
+        };
+        std::vector<Direct> parts;
         for (const Open& one : open) {
-            const Direct part = take_enough(
-                one.count, static_cast<double>(most[one.aperture]),
-                static_cast<double>(open.size()), [&](int count) {
-                    ApertureSamples samples{*this, point};
-                    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k)
-                        samples.add(one.aperture, coordinate(0, k, mix(key, one.aperture)),
-                                    coordinate(1, k, mix(key, one.aperture)), 1.0f);
-                    return samples.mean();
-                });
-            found.irradiance += part.irradiance;
-            found.variance += part.variance;
+            parts.push_back(take(one, one.count));
+            found.irradiance += parts.back().irradiance;
+        }
+        const double light = luminance(found.irradiance), all = static_cast<double>(open.size());
+        found = {};
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            const auto through_it = static_cast<double>(most[open[k].aperture]);
+            int count = open[k].count;
+            while (count < more && !is_enough(parts[k], count, through_it, all, light)) {
+                count = std::min(count * times_more, more);
+                parts[k] = take(open[k], count);
+            }
+            found.irradiance += parts[k].irradiance;
+            found.variance += parts[k].variance;
         }
         return found;
     }
@@ -151,7 +159,12 @@ PointGather::Direct PointGather::through(const GatherPoint& point, double whole,
         }
         return samples.mean();
     };
-    return take_enough(most_one_by_one, sum, 1.0, take);
+    int count = most_one_by_one;
+    for (found = take(count);
+         count < more && !is_enough(found, count, sum, 1.0, luminance(found.irradiance));
+         found = take(count))
+        count = std::min(count * times_more, more);
+    return found;
 }
 
 }  // namespace patchlight
