@@ -71,7 +71,10 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     is_whole = is_whole && solve_once();
     if (is_whole) {
         effort.bright = bright_lamp * mean_irradiance();
-        effort.enough = noise * mean_irradiance();
+        // Where a small spot holds most of the light, less than its share of the norm is enough.
+        double area = 0.0;
+        for (const Patch& patch : mesh_.patches) area += patch.covered ? 0.0 : patch.area;
+        effort.enough = noise * std::max(mean_irradiance(), norm() / std::sqrt(area));
     }
     const double too_much = is_whole ? pass_.direct_noise() / (noise * norm()) : 0.0;
     if (too_much > 1.0 && effort.most < most_samples) {

@@ -112,8 +112,10 @@ PointGather::Direct PointGather::through(const GatherPoint& point, double whole,
         return std::max(part.variance, doubt * doubt) * parts <=
                std::pow(std::max(effort.enough, effort.alike * light), 2);
     };
-    const int more =
-        std::clamp(effort.most, most_at_first, open.size() > few ? most_of_many : most_ever);
+    // Of samples half of which are clear 1/n is the noise, squared.
+    const double asked = std::min(1.0 / (effort.alike * effort.alike), double{most_ever});
+    const int more = std::clamp(effort.most, most_at_first,
+                                open.size() > few ? most_of_many : static_cast<int>(asked));
     const auto coordinate = [&](std::size_t d, std::size_t k, std::uint64_t of) {
         return points_.at(d, k, static_cast<std::uint32_t>(mix(of, d)));
     };
