@@ -83,7 +83,7 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
         return missed[k] > allowed[k] ? std::max(at_once, allowed[k] / missed[k]) : 1.0;
     };
     aim.direct_anew = false;
-    if (errors.direct_noise > sampled && aim.effort.most < most_most) {
+    if (errors.direct_noise > planned * target_ && aim.effort.most < most_most) {
         aim.effort.most = std::min(times_most * aim.effort.most, most_most);
         aim.direct_anew = true;
     } else if (scale(0) < 1.0) {

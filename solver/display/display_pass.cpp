@@ -90,7 +90,7 @@ bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
                spots_.may_hide_spot(tree_, element);
     };
     rule.follow = true;
-    rule.most_levels = most_levels;
+    if (!gather_.apertures().empty()) rule.most_levels = most_levels;
     rule.most_vertices = std::max(most_first_vertices, most_times * direct_gathered_);
     const bool is_whole = direct_->refine(tree_, weight_, rule, [&](auto vertices) {
         return points_.direct(tree_, vertices, effort);

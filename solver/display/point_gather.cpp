@@ -15,6 +15,7 @@ constexpr float tiny = 1e-12f;  // squared distance that is taken for no less [r
 /// Only samples next to the outline of what is seen are left to chance, √n of n along each length
 /// of the lamp: about two such lengths in sight of a few boxes, or of a sky between walls.
 constexpr double outlines = 2.0;
+constexpr double of_lamp = 0.1;           // of the noise that is of no matter, one lamp's [1]
 constexpr double most_times_first = 8.0;  // as many first samples of a source, however bright
 constexpr double wide = 0.15;  // of a point's view: a source may be sampled by directions [1]
 constexpr double wide_for_height = 4.0;  // above its plane: most of its area hardly counts [1]
@@ -146,7 +147,7 @@ PointGather::Direct PointGather::alone(const GatherPoint& point, const Lit& lit,
         const double clear = share.clear_share();
         return outlines * lit.whole * lit.whole * clear * (1.0 - clear) * std::pow(count, -1.5);
     };
-    if (share.mixed() && count < effort.most && variance() > effort.enough * effort.enough) {
+    if (share.mixed() && count < effort.most && variance() > std::pow(of_lamp * effort.enough, 2)) {
         sample(point, source, lit.factor, key, count, effort.most, share);
         count = effort.most;
     }
