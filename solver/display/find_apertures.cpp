@@ -191,7 +191,9 @@ class ApertureSearch {
 
     /// A lamp of which little is seen through the gap, or a spot that vertices may miss.
     bool is_worth_it(const Aperture& gap, const Passage& passage) const {
-        constexpr float little = 0.25f, spot_of_widest = 4.0f;  // two to three vertices across
+        constexpr float little = 0.25f, spot_of_widest = 0.75f;
+        constexpr float of_a_sun = 4.0f;  // two to three vertices across: nothing else is as bright
+        constexpr float sun = 0.03f;      // of its distance
         constexpr float far_from_both = 0.25f;  // else it is an edge that light grazes, or no gap
         const float width = std::min(gap.first_edge.norm(), gap.second_edge.norm()),
                     lamp = static_cast<float>(narrow_side(passage.source->polygon) * rays_.scale());
@@ -199,7 +201,8 @@ class ApertureSearch {
         const float seen = width * (passage.before + passage.after) / passage.after,
                     spot = width * (1.0f + passage.after / passage.before) +
                            lamp * passage.after / passage.before;
-        return seen < little * lamp || spot < spot_of_widest * widest_;
+        const float narrow = lamp < sun * passage.before ? of_a_sun : spot_of_widest;
+        return seen < little * lamp || spot < narrow * widest_;
     }
 
     const Scene& scene_;
