@@ -21,6 +21,8 @@ constexpr double nearest = 1e-4;  // of the widest gap: beside an edge [1]
 constexpr std::size_t lines_of_edge = 16, fewest_first = 8192, most_first = 100'000;
 constexpr std::size_t most_lines = 1'000'000;
 constexpr std::size_t most_apertures = 512;
+/// Lines through gaps that are known, over those through new ones, that end the search.
+constexpr std::size_t known_per_new = 32;
 constexpr std::size_t lines_at_a_time = 256;
 
 float number(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
@@ -53,15 +55,20 @@ class ApertureSearch {
         if (edges_.empty() || sources_.empty()) return {};
         std::size_t first = 0,
                     count = std::clamp(lines_of_edge * edges_.size(), fewest_first, most_first);
-        while (first < most_lines) {
-            const std::size_t before = found_.size();
+        while (first < most_lines && found_.size() < most_apertures) {
             const std::vector<Passage> now = passages(first, first + count);
+            std::size_t new_ones = 0, known_ones = 0;
             for (const bool grazes :
                  {false, true})  // a gap is told best by light that goes straight
-                for (const Passage& passage : now)
-                    if (passage.grazes() == grazes) look_at(passage);
+                for (const Passage& passage : now) {
+                    if (passage.grazes() != grazes) continue;
+                    if (found_.count_crossed(passage.from(), passage.whole()) > 0)
+                        ++known_ones;
+                    else if (look_at(passage))
+                        ++new_ones;
+                }
             first += count;
-            if (found_.size() <= before + before / 16 || found_.size() >= most_apertures) break;
+            if (new_ones * known_per_new <= known_ones) break;
             count = std::min(std::max(count, most_first), most_lines - first);
         }
         return found_.all();
@@ -76,6 +83,8 @@ class ApertureSearch {
         const LightSource* source = nullptr;
 
         bool grazes() const { return std::abs(direction.dot(edge->normal)) < GapProbe::grazing; }
+        RayPoint from() const { return point - before * direction; }
+        RayPoint whole() const { return (before + after) * direction; }
     };
 
     void add_edges(const Surface& surface) {
@@ -175,18 +184,17 @@ class ApertureSearch {
         return (scene_.materials[scene_.surfaces[s].material].reflectance > 0.0).any();
     }
 
-    void look_at(const Passage& passage) {
-        if (found_.size() >= most_apertures) return;
-        const RayPoint from = passage.point - passage.before * passage.direction,
-                       whole = (passage.before + passage.after) * passage.direction;
-        if (found_.count_crossed(from, whole) > 0) return;
+    /// Whether a gap was found there.
+    bool look_at(const Passage& passage) {
+        if (found_.size() >= most_apertures) return false;
         const GapProbe probe{rays_, passage.direction,
                              std::min({passage.before, passage.after, 10.0f * widest_}), widest_};
         const auto gap = probe.find(passage.point, passage.edge->outward, passage.edge->along,
                                     passage.edge->normal);
-        if (!gap || !is_worth_it(*gap, passage)) return;
+        if (!gap || !is_worth_it(*gap, passage)) return false;
         found_.add(*gap);
         known_.push_back(-passage.direction);
+        return true;
     }
 
     /// A lamp of which little is seen through the gap, or a spot that vertices may miss.
