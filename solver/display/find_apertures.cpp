@@ -19,6 +19,7 @@ namespace {
 constexpr double widest = 0.01;   // of the root of the area: gaps that are looked for [1]
 constexpr double nearest = 1e-4;  // of the widest gap: beside an edge [1]
 constexpr std::size_t lines_of_edge = 16, fewest_first = 8192, most_first = 100'000;
+constexpr std::size_t fewest_next = 32'768;
 constexpr std::size_t most_lines = 1'000'000;
 constexpr std::size_t most_apertures = 512;
 /// Lines through gaps that are known, over those through new ones, that end the search.
@@ -69,7 +70,7 @@ class ApertureSearch {
                 }
             first += count;
             if (new_ones * known_per_new <= known_ones) break;
-            count = std::min(std::max(count, most_first), most_lines - first);
+            count = std::min(std::max(count, fewest_next), most_lines - first);
         }
         return found_.all();
     }
