@@ -36,8 +36,15 @@ class DisplayedField {
 
   private:
     struct Triangle {
-        std::uint32_t number = 0;     // in the display
-        std::array<Vec2, 3> corners;  // in the surface's plane [m]
+        Triangle(std::uint32_t of_display, const std::array<Vec2, 3>& corners);
+        /// Shares of the corners in a point; they sum to 1.
+        std::array<double, 3> weights(const Vec2& p) const {
+            const double u = first.dot(p - b), v = second.dot(p - c);
+            return {u, v, 1.0 - u - v};
+        }
+        std::uint32_t number = 0;  // in the display
+        Vec2 a, b, c;              // its corners in the surface's plane [m]
+        Vec2 first, second;        // gradients of the shares of a and of b [1/m]
     };
     struct Node {
         Vec2 low, high;           // box round the triangles [m]

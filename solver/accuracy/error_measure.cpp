@@ -16,7 +16,10 @@ constexpr double doubtful = 1.4;            // times what was measured: few poin
 constexpr double promising = 0.9;           // of the target: worth more points
 constexpr int most_checks = 8, most_in_a_hurry = 32;
 constexpr int fewest_in_a_hurry = 128;  // check points at a time
-constexpr double share_of_rays = 0.1;   // of those gathered with, particles may take
+/// Of the target, that a check point's rays may leave: it evens out over hundreds of them.
+constexpr double noise_of_checks = 0.25;
+constexpr int fewest_rays_of_checks = 64;
+constexpr double share_of_rays = 0.06;  // of those gathered with, particles may take
 constexpr std::size_t vertices_per_check = 8;
 constexpr double propagation_tolerance = 0.01;  // of what a residual comes to
 
@@ -84,9 +87,15 @@ Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight&
 MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed, bool is_hurried,
                                const std::function<bool()>& go_on) const {
     CheckEffort effort;
-    effort.direct = {std::max(64, 2 * aim.effort.first), 2 * aim.effort.most, aim.effort.bright,
-                     0.5 * aim.effort.enough, 0.5 * aim.effort.alike};
+    effort.direct = aim.effort;
+    effort.direct.first = std::max(64, 2 * aim.effort.first);
+    effort.direct.most = 2 * aim.effort.most;
+    effort.direct.enough = 0.5 * aim.effort.enough;
+    effort.direct.alike = 0.5 * aim.effort.alike;
     effort.rays = std::clamp(aim.rays / 64 * 32, 256, 4096);
+    if (light.known_noise())
+        effort.rays = light.known_noise()->rays_for(noise_of_checks * target * light.norm(),
+                                                    fewest_rays_of_checks, effort.rays);
     effort.indirect_points = static_cast<int>(std::clamp<std::size_t>(
         light.pass().indirect().gathered() / vertices_per_check, 384, 4096));
     if (is_hurried) {
@@ -126,7 +135,7 @@ void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, do
     effort.area = reflected.area;
     ParticleEvidence found =
         check_transport(scene, mesh, rays, light.pass().points().gather().apertures(),
-                        *light.shown(), effort, seed);
+                        *light.shown(), light.places(), effort, seed);
     Evidence all = evidence(round.checks, reflected);
     all.transport = found.check;
     round.error = judge(all);

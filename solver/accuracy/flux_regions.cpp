@@ -1,5 +1,6 @@
 #include "solver/accuracy/flux_regions.h"
 
+#include "solver/accuracy/flux_piece.h"
 #include "solver/rays/low_discrepancy.h"
 
 #include <oneapi/tbb/parallel_for.h>
@@ -18,23 +19,14 @@ constexpr std::uint64_t every = 4;  // one particle of so many says where region
 constexpr int most_levels = 10;     // of cutting a triangle
 constexpr std::size_t at_a_time = 4096;
 
-/// A landing in the display.
-struct Landed {
-    std::uint32_t triangle = 0;
-    std::uint32_t path = 0;
-    float v = 0.0f, w = 0.0f;  // weights of the second and the third corner
-    float y = 0.0f;            // Y(ρ Φ) [W]
-    bool straight = false;
-    /// By chance: low bits of a number say where in a Sobol sequence its point lies.
-    bool decides() const { return mix(path, 0x64656369) % every == 0; }
-};
+/// By chance: low bits of a number say where in a Sobol sequence its point lies.
+bool decides(std::uint32_t path) { return mix(path, 0x64656369) % every == 0; }
 
 constexpr std::uint32_t nowhere = 0xffffffffu;
 
-std::vector<Landed> locate(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                           const DisplayMesh& display, const ParticleFlux& flux) {
-    const DisplayedField field(scene, mesh, display);
-    std::vector<Landed> landed(flux.landings.size());
+std::vector<LandingShown> locate(const Scene& scene, const ShownPlaces& places,
+                                 const ParticleFlux& flux) {
+    std::vector<LandingShown> landed(flux.landings.size());
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, landed.size(), at_a_time), [&](const auto& range) {
             for (std::size_t k = range.begin(); k < range.end(); ++k) {
@@ -46,96 +38,83 @@ std::vector<Landed> locate(const Scene& scene, const PatchMesh& mesh, const RayS
                                                              static_cast<double>(from.flux[2])));
                 landed[k].triangle = nowhere;
                 if (!(y > 0.0)) continue;
-                const auto place = field.locate(
-                    from.surface,
-                    rays.from_ray_space(from.position.cast<double>(), rays.frame(from.surface)));
+                const auto place = places.find(from.surface, from.position);
                 if (!place) continue;
                 landed[k] = {place->triangle,
                              from.path,
                              static_cast<float>(place->weight[1]),
                              static_cast<float>(place->weight[2]),
                              static_cast<float>(y),
-                             from.bounces == 0};
+                             from.bounces == 0,
+                             decides(from.path)};
             }
         });
-    std::erase_if(landed, [](const Landed& one) { return one.triangle == nowhere; });
+    std::erase_if(landed, [](const LandingShown& one) { return one.triangle == nowhere; });
     return landed;
 }
 
-/// A triangle, or a part of one, with what landed there.
-struct Piece {
-    std::array<Vec3, 3> corners;
-    std::array<double, 3> shown{};  // Y(ρ H̃) at them [W/m²]
-    double area = 0.0;
-    std::vector<Landed> landed;  // weights are those of this piece
-    double typical = 0.0;        // flux of a landing, weighted with itself [W]
-
-    /// From its own landings, if they are enough to tell.
-    void weigh(double otherwise) {
-        constexpr std::size_t enough = 8;
-        double sum = 0.0, square = 0.0;
-        for (const Landed& one : landed) {
-            sum += static_cast<double>(one.y);
-            square += static_cast<double>(one.y) * static_cast<double>(one.y);
-        }
-        typical = landed.size() >= enough ? square / sum : otherwise;
-    }
-    std::size_t deciding() const {
-        return static_cast<std::size_t>(std::count_if(
-            landed.begin(), landed.end(), [](const Landed& one) { return one.decides(); }));
-    }
-    /// Number k of four: at corner k, or in the middle.
-    Piece part(std::size_t k) const {
-        const auto middle = [&](std::size_t a, std::size_t b) {
-            return std::pair(Vec3(0.5 * (corners[a] + corners[b])), 0.5 * (shown[a] + shown[b]));
-        };
-        const std::array<std::pair<Vec3, double>, 3> middles{middle(0, 1), middle(1, 2),
-                                                             middle(2, 0)};
-        Piece piece;
-        piece.area = 0.25 * area;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto& [position, value] = k == 3               ? middles[c]
-                                            : c == k             ? std::pair(corners[k], shown[k])
-                                            : (c == (k + 1) % 3) ? middles[k]
-                                                                 : middles[(k + 2) % 3];
-            piece.corners[c] = position;
-            piece.shown[c] = value;
-        }
-        return piece;
-    }
+/// Triangles of one region, or one to be taken apart.
+struct TriangleGroup {
+    std::vector<std::uint32_t> triangles;
+    bool apart = false;
 };
 
-/// The four parts of a piece; landings go with them.
-std::array<Piece, 4> cut(const Piece& piece) {
-    std::array<Piece, 4> parts{piece.part(0), piece.part(1), piece.part(2), piece.part(3)};
-    for (Landed one : piece.landed) {
-        const std::array<float, 3> weight{1.0f - one.v - one.w, one.v, one.w};
-        std::size_t k = 0;
-        while (k < 3 && !(weight[k] > 0.5f)) ++k;
-        std::array<float, 3> inside{};
-        // In a corner's part the corner's weight is doubled less one; in the middle part, whose
-        // corners lie opposite, each is one less twice the weight of the corner opposite.
-        for (std::size_t c = 0; c < 3; ++c)
-            inside[c] = k < 3 ? (c == k ? 2.0f * weight[c] - 1.0f : 2.0f * weight[c])
-                              : 1.0f - 2.0f * weight[(c + 2) % 3];
-        one.v = inside[1];
-        one.w = inside[2];
-        parts[k].landed.push_back(one);
+/// Those of one material, object by object, patch by patch.
+std::vector<TriangleGroup> group_triangles(const Scene& scene, const PatchMesh& mesh,
+                                           const DisplayMesh& display,
+                                           const std::vector<std::uint32_t>& deciding,
+                                           std::size_t wanted) {
+    std::vector<PatchIndex> patches(mesh.size());
+    std::iota(patches.begin(), patches.end(), PatchIndex{0});
+    const auto key = [&](PatchIndex i) {
+        const Surface& surface = scene.surfaces[mesh.patches[i].surface];
+        return std::tuple(surface.material, surface.object, i);
+    };
+    std::sort(patches.begin(), patches.end(),
+              [&](PatchIndex a, PatchIndex b) { return key(a) < key(b); });
+    std::vector<std::uint32_t> first(mesh.size() + 1, 0);  // triangles sorted by patch
+    for (const PatchIndex i : display.patch) ++first[i + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> sorted(display.triangles.size());
+    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
+    for (std::uint32_t t = 0; t < sorted.size(); ++t) sorted[next[display.patch[t]]++] = t;
+    std::vector<TriangleGroup> groups;
+    TriangleGroup open;
+    std::size_t open_deciding = 0;
+    const auto close = [&] {
+        if (!open.triangles.empty()) groups.push_back(std::exchange(open, {}));
+        open_deciding = 0;
+    };
+    MaterialIndex material = 0;
+    for (const PatchIndex i : patches) {
+        const MaterialIndex m = scene.surfaces[mesh.patches[i].surface].material;
+        if (std::exchange(material, m) != m) close();
+        if (!(scene.materials[m].reflectance > 0.0).any()) continue;
+        for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) {
+            const std::uint32_t t = sorted[k];
+            if (deciding[t] >= 2 * wanted) {
+                groups.push_back({{t}, true});
+                continue;
+            }
+            open.triangles.push_back(t);
+            open_deciding += deciding[t];
+            if (open_deciding >= wanted) close();
+        }
     }
-    return parts;
+    close();
+    return groups;
 }
 
-struct Sorter {
+struct RegionMaker {
     const Scene& scene;
     const PatchMesh& mesh;
     const TreeDisplay& shown;
     std::size_t wanted;  // deciding landings of a region
     double typical;      // flux of a landing anywhere, weighted with itself [W]
     std::vector<FluxRegion> regions = {};
-    FluxRegion open = {};  // that triangles are added to
-    std::size_t open_deciding = 0;
+    FluxRegion open = {};        // that triangles are added to
     double open_variance = 0.0;  // that what is shown would have
-    std::vector<Landed> open_landed = {};
+    std::vector<LandingShown> open_landed = {};
 
     double shown_at(std::uint32_t vertex, const Rgb& reflectance) const {
         Rgb arriving = shown.arriving.indirect[vertex];
@@ -143,11 +122,11 @@ struct Sorter {
         return luminance(reflectance * arriving.max(0.0));
     }
 
-    Piece piece_of(std::uint32_t t) const {
+    FluxPiece piece_of(std::uint32_t t) const {
         const auto& corners = shown.display.triangles[t];
         const Rgb& reflectance =
             scene.materials[scene.surfaces[surface_of(t)].material].reflectance;
-        Piece piece;
+        FluxPiece piece;
         for (std::size_t k = 0; k < 3; ++k) {
             piece.corners[k] = shown.display.positions[corners[k]];
             piece.shown[k] = shown_at(corners[k], reflectance);
@@ -162,7 +141,7 @@ struct Sorter {
     }
 
     /// Adds a piece to the region that is open.
-    void add(const Piece& piece, std::uint32_t t) {
+    void add(const FluxPiece& piece, std::uint32_t t) {
         open.area += piece.area;
         open.shown += piece.area * (piece.shown[0] + piece.shown[1] + piece.shown[2]) / 3.0;
         open.surface = surface_of(t);
@@ -172,7 +151,6 @@ struct Sorter {
         for (const Vec3& corner : piece.corners)
             open.radius = std::max(open.radius, (corner - open.centre).norm());
         open_landed.insert(open_landed.end(), piece.landed.begin(), piece.landed.end());
-        open_deciding += piece.deciding();
         open_variance +=
             piece.typical * piece.area * (piece.shown[0] + piece.shown[1] + piece.shown[2]) / 3.0;
     }
@@ -182,12 +160,13 @@ struct Sorter {
         if (open.area > 0.0) {
             constexpr double scale =
                 static_cast<double>(every) / (static_cast<double>(every) - 1.0);
-            std::stable_sort(open_landed.begin(), open_landed.end(),
-                             [](const Landed& a, const Landed& b) { return a.path < b.path; });
+            std::stable_sort(
+                open_landed.begin(), open_landed.end(),
+                [](const LandingShown& a, const LandingShown& b) { return a.path < b.path; });
             double of_path = 0.0;
             for (std::size_t k = 0; k < open_landed.size(); ++k) {
-                const Landed& one = open_landed[k];
-                if (one.decides()) continue;
+                const LandingShown& one = open_landed[k];
+                if (one.decides) continue;
                 const double y = scale * static_cast<double>(one.y);
                 open.landed += y;
                 if (one.straight) open.straight += y;
@@ -202,77 +181,70 @@ struct Sorter {
             regions.push_back(open);
         }
         open = {};
-        open_deciding = 0;
         open_variance = 0.0;
         open_landed.clear();
     }
 
-    void take_apart(const Piece& piece, std::uint32_t t, int level) {
+    void take_apart(const FluxPiece& piece, std::uint32_t t, int level) {
         if (level < most_levels && piece.deciding() >= 2 * wanted) {
-            std::array<Piece, 4> parts = cut(piece);
-            for (Piece& part : parts) {
+            std::array<FluxPiece, 4> parts = cut(piece);
+            for (FluxPiece& part : parts) {
                 part.weigh(piece.typical);
                 take_apart(part, t, level + 1);
             }
             return;
         }
-        Sorter alone{scene, mesh, shown, wanted, typical};  // what is open goes on beside it
+        RegionMaker alone{scene, mesh, shown, wanted, typical};  // what is open goes on beside it
         alone.add(piece, t);
         alone.close(true);
         regions.insert(regions.end(), alone.regions.begin(), alone.regions.end());
-    }
-
-    void take(Piece piece, std::uint32_t t) {
-        piece.weigh(typical);
-        if (piece.deciding() >= 2 * wanted) {
-            take_apart(piece, t, 0);
-            return;
-        }
-        add(piece, t);
-        if (open_deciding >= wanted) close(false);
     }
 };
 
 }  // namespace
 
 std::vector<FluxRegion> make_flux_regions(const Scene& scene, const PatchMesh& mesh,
-                                          const RayScene& rays, const TreeDisplay& shown,
+                                          const TreeDisplay& shown, const ShownPlaces& places,
                                           const ParticleFlux& flux, int landings) {
-    std::vector<Landed> landed = locate(scene, mesh, rays, shown.display, flux);
+    std::vector<LandingShown> landed = locate(scene, places, flux);
     double sum = 0.0, square = 0.0;
-    for (const Landed& one : landed) {
+    for (const LandingShown& one : landed) {
         sum += static_cast<double>(one.y);
         square += static_cast<double>(one.y) * static_cast<double>(one.y);
     }
     const std::size_t triangles = shown.display.triangles.size();
-    std::vector<std::uint32_t> first(triangles + 1, 0);  // landings sorted by triangle
-    for (const Landed& one : landed) ++first[one.triangle + 1];
+    std::vector<std::uint32_t> first(triangles + 1, 0), deciding(triangles, 0);
+    for (const LandingShown& one : landed) {
+        ++first[one.triangle + 1];
+        deciding[one.triangle] += one.decides ? 1 : 0;
+    }
     std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint32_t> order(landed.size());
+    std::vector<std::uint32_t> order(landed.size());  // sorted by triangle
     std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
     for (std::uint32_t k = 0; k < landed.size(); ++k) order[next[landed[k].triangle]++] = k;
-    Sorter sorter{scene, mesh, shown, static_cast<std::size_t>(std::max(1, landings)),
-                  landed.empty() ? 0.0 : square / sum};
-    std::vector<std::uint32_t> sorted(triangles);
-    std::iota(sorted.begin(), sorted.end(), 0u);
-    const auto key = [&](std::uint32_t t) {
-        const Surface& surface = scene.surfaces[sorter.surface_of(t)];
-        return std::tuple(surface.material, surface.object, shown.display.patch[t], t);
-    };
-    std::sort(sorted.begin(), sorted.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    MaterialIndex material = 0;
-    for (const std::uint32_t t : sorted) {
-        const MaterialIndex m = scene.surfaces[sorter.surface_of(t)].material;
-        if (std::exchange(material, m) != m) sorter.close(false);
-        if (!(scene.materials[m].reflectance > 0.0).any()) continue;
-        Piece piece = sorter.piece_of(t);
-        for (std::uint32_t k = first[t]; k < first[t + 1]; ++k)
-            piece.landed.push_back(landed[order[k]]);
-        sorter.take(std::move(piece), t);
-    }
-    sorter.close(false);
-    return std::move(sorter.regions);
+    const auto wanted = static_cast<std::size_t>(std::max(1, landings));
+    const std::vector<TriangleGroup> groups =
+        group_triangles(scene, mesh, shown.display, deciding, wanted);
+    std::vector<std::vector<FluxRegion>> of_group(groups.size());
+    tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t g) {
+        RegionMaker maker{scene, mesh, shown, wanted, landed.empty() ? 0.0 : square / sum};
+        for (const std::uint32_t t : groups[g].triangles) {
+            FluxPiece piece = maker.piece_of(t);
+            piece.landed.reserve(first[t + 1] - first[t]);
+            for (std::uint32_t k = first[t]; k < first[t + 1]; ++k)
+                piece.landed.push_back(landed[order[k]]);
+            piece.weigh(maker.typical);
+            if (groups[g].apart)
+                maker.take_apart(piece, t, 0);
+            else
+                maker.add(piece, t);
+        }
+        maker.close(false);
+        of_group[g] = std::move(maker.regions);
+    });
+    std::vector<FluxRegion> regions;
+    for (const auto& of : of_group) regions.insert(regions.end(), of.begin(), of.end());
+    return regions;
 }
 
 TransportCheck compare_flux(const std::vector<FluxRegion>& regions, double norm) {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "solver/accuracy/displayed_field.h"
 #include "solver/accuracy/light_particles.h"
+#include "solver/accuracy/shown_places.h"
 #include "solver/display/tree_display.h"
 
 #include <vector>
@@ -26,7 +26,7 @@ struct FluxRegion {
 /// `landings` of them, be it a part of a triangle, where light is bundled, or many triangles, where
 /// it is thin. What the other particles bring is compared: they had no say in it.
 std::vector<FluxRegion> make_flux_regions(const Scene& scene, const PatchMesh& mesh,
-                                          const RayScene& rays, const TreeDisplay& shown,
+                                          const TreeDisplay& shown, const ShownPlaces& places,
                                           const ParticleFlux& flux, int landings);
 
 /// What the regions prove, and how different both are, beside `norm` [W/m]. Proven: error² >=

@@ -4,6 +4,7 @@
 #include "solver/accuracy/coarse_solution.h"
 #include "solver/accuracy/gather_noise.h"
 #include "solver/accuracy/judge.h"
+#include "solver/accuracy/shown_places.h"
 #include "solver/display/display_pass.h"
 
 #include <memory>
@@ -54,6 +55,8 @@ class GatheredLight {
     bool reflects() const { return coarse_->norm() > hardly_any(); }
     CheckReport check(const CheckEffort& effort, std::uint64_t seed) const;
     ReflectedLight reflected() const;
+    /// That lamps shine through.
+    bool has_gaps() const { return !pass_.points().gather().apertures().empty(); }
     /// Whether rays of the last round read the coarse solution, not what was displayed.
     bool read_coarsely() const { return read_coarsely_; }
     /// What the last round changed, over `norm` [1].
@@ -64,9 +67,11 @@ class GatheredLight {
     const EnergyReport& energy() const { return energy_; }
 
     const TreeDisplay* shown() const { return shown_ ? &*shown_ : nullptr; }
+    ShownPlaces places() const { return {scene_, mesh_, rays_, locator_, pass_.tree(), *shown_}; }
     const std::vector<Rgb>& irradiance() const { return irradiance_; }  // means of patches [W/m²]
     const ReflectedField* field() const { return field_.get(); }
     const GatherNoise& noise();  // measured when first asked for
+    const std::optional<GatherNoise>& known_noise() const { return noise_; }
     const DisplayPass& pass() const { return pass_; }
     /// The coarse solution, once there is one.
     const CoarseSolution* coarse() const { return coarse_ ? &*coarse_ : nullptr; }
@@ -75,6 +80,7 @@ class GatheredLight {
   private:
     void sort_exitance();
     double hardly_any() const;
+    double lit_by_apertures(double enough) const;
     double mean_irradiance() const;  // as the coarse solution has it [W/m²]
     SplitIrradiance means_of(const TreeDisplay& shown) const;
     FieldTable table_of(const TreeDisplay& shown) const;

@@ -47,7 +47,8 @@ double mean_reflectance(const Scene& scene) {
 
 ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
                                  const ApertureSet& apertures, const TreeDisplay& shown,
-                                 const ParticleEffort& effort, std::uint64_t seed) {
+                                 const ShownPlaces& places, const ParticleEffort& effort,
+                                 std::uint64_t seed) {
     ParticleEvidence evidence;
     const LightParticles particles(scene, mesh, rays, apertures);
     if (particles.empty() || !(effort.norm > 0.0)) return evidence;
@@ -73,7 +74,7 @@ ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, cons
                                                            static_cast<double>(most))),
                        mix(seed, 1));
     constexpr double deciding = 0.25;  // of the landings
-    evidence.regions = make_flux_regions(scene, mesh, rays, shown, flux,
+    evidence.regions = make_flux_regions(scene, mesh, shown, places, flux,
                                          static_cast<int>(std::ceil(deciding * wanted)));
     evidence.check = compare_flux(evidence.regions, effort.norm);
     evidence.check.doubt = per_doubt * most_of_one(flux) / static_cast<double>(flux.particles);

@@ -28,6 +28,7 @@ struct ParticleEvidence {
 /// chance of exp(-Σ F_l / φ_l), so that F = Σ F_l > 3 max φ_l has less than 5 %.
 ParticleEvidence check_transport(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
                                  const ApertureSet& apertures, const TreeDisplay& shown,
-                                 const ParticleEffort& effort, std::uint64_t seed);
+                                 const ShownPlaces& places, const ParticleEffort& effort,
+                                 std::uint64_t seed);
 
 }  // namespace patchlight

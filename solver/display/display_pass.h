@@ -41,6 +41,7 @@ class DisplayPass {
     void show_bends(double missed);
     /// The field so far; `added` to the indirect irradiance of each patch, smoothly; or empty.
     TreeDisplay show(const std::vector<Rgb>& added);
+    const RefinementTree& tree() const { return tree_; }
     const VertexGather& points() const { return points_; }
     const IrradianceLayer& direct() const { return *direct_; }
     const IrradianceLayer& indirect() const { return *indirect_; }

@@ -111,8 +111,15 @@ TreeDisplay make_tree_display(const Scene& scene, const PatchMesh& mesh, const R
     Builder builder{scene, mesh, tree, arriving, {}};
     builder.first_look.resize(tree.vertices().size());
     builder.number_looks();
-    for (const TreeElement& element : tree.elements())
+    const auto triangles = [&] {
+        return static_cast<std::uint32_t>(builder.shown.display.triangles.size());
+    };
+    builder.shown.first_triangle.reserve(tree.elements().size() + 1);
+    for (const TreeElement& element : tree.elements()) {
+        builder.shown.first_triangle.push_back(triangles());
         if (element.is_leaf()) builder.leaf(element);
+    }
+    builder.shown.first_triangle.push_back(triangles());
     return std::move(builder.shown);
 }
 

@@ -16,6 +16,8 @@ struct SplitIrradiance {
 struct TreeDisplay {
     DisplayMesh display;
     SplitIrradiance arriving;  // at each vertex of the display
+    /// Triangles of element e of the tree are [first_triangle[e], first_triangle[e + 1]).
+    std::vector<std::uint32_t> first_triangle = {};
 };
 
 /// `arriving` at each vertex of the tree. A vertex is made once for each object and material.
