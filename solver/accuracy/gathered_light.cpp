@@ -3,8 +3,11 @@
 #include "solver/display/patch_slopes.h"
 #include "solver/transport/patch_fields.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace patchlight {
@@ -62,10 +65,11 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
                solve_coarse(tolerance, observe);
     };
     bool is_whole = true;
-    if (!pass_.points().gather().apertures().empty()) {
+    if (has_gaps()) {
         is_whole = pass_.refine_direct({whatever_is_missed, 1.0}, glance);
         direct_means_ = means_of(pass_.show({})).direct;
         effort.enough = part_of_glance * noise * mean_irradiance();
+        effort.lit_by_apertures = lit_by_apertures(effort.enough);
         pass_.restart_direct();
     }
     is_whole = is_whole && solve_once();
@@ -75,6 +79,7 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
         double area = 0.0;
         for (const Patch& patch : mesh_.patches) area += patch.covered ? 0.0 : patch.area;
         effort.enough = noise * std::max(mean_irradiance(), norm() / std::sqrt(area));
+        effort.lit_by_apertures = lit_by_apertures(effort.enough);
     }
     const double too_much = is_whole ? pass_.direct_noise() / (noise * norm()) : 0.0;
     if (too_much > 1.0 && effort.most < most_samples) {
@@ -85,6 +90,25 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     }
     if (!is_whole) show_what_there_is(tolerance, observe);
     return is_whole;
+}
+
+/// Share of the area where apertures may bring more than `enough`.
+double GatheredLight::lit_by_apertures(double enough) const {
+    const ApertureSet& apertures = pass_.points().gather().apertures();
+    if (apertures.empty() || !(enough > 0.0)) return 1.0;
+    constexpr double least_share = 1.0 / 64.0;
+    std::vector<double> lit(mesh_.size(), 0.0);
+    tbb::parallel_for(PatchIndex{0}, static_cast<PatchIndex>(mesh_.size()), [&](PatchIndex i) {
+        if (mesh_.patches[i].covered) return;
+        std::vector<float> most(apertures.size());
+        const GatherPoint at = pass_.points().point(i, mesh_.patches[i].centre);
+        apertures.most_through(at.origin, at.normal.cast<float>(), most);
+        const double sum = std::accumulate(most.begin(), most.end(), 0.0);
+        lit[i] = mesh_.patches[i].area * std::min(1.0, std::pow(sum / enough, 2));
+    });
+    double area = 0.0;
+    for (const Patch& patch : mesh_.patches) area += patch.covered ? 0.0 : patch.area;
+    return std::clamp(std::accumulate(lit.begin(), lit.end(), 0.0) / area, least_share, 1.0);
 }
 
 bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observe& observe) {

@@ -13,7 +13,7 @@ constexpr float samples_of_size = 8.0f;  // times its width over the distance
 constexpr int most_at_first = 64, most_ever = 8192, times_more = 4;
 constexpr int most_of_many = 1024;    // what each of many misses evens out
 constexpr std::size_t few = 4;        // apertures
-constexpr int most_one_by_one = 256;  // first samples; else they are shared out among all
+constexpr int most_one_by_one = 128;  // first samples; else they are shared out among all
 constexpr float reached = 1e-4f;      // of the way, by rounding
 /// A point for each of n strata, of the variance of n points by chance.
 constexpr double stratified = 0.5;
@@ -105,12 +105,13 @@ PointGather::Direct PointGather::through(const GatherPoint& point, double whole,
         open.push_back({g, count, sum += static_cast<double>(most[g])});
     }
     Direct found;
+    const double enough = effort.enough / std::sqrt(effort.lit_by_apertures);
     // Of n samples that agree, one more may see all that can come through.
     const auto is_enough = [&](const Direct& part, int count, double all, double parts,
                                double light) {
         const double doubt = std::min(all, whole) / count;
         return std::max(part.variance, doubt * doubt) * parts <=
-               std::pow(std::max(effort.enough, effort.alike * light), 2);
+               std::pow(std::max(enough, effort.alike * light), 2);
     };
     // Of samples half of which are clear 1/n is the noise, squared.
     const double asked = std::min(1.0 / (effort.alike * effort.alike), double{most_ever});

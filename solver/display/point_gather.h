@@ -33,6 +33,9 @@ struct DirectEffort {
     /// apertures through which no more can come are left out [W/m²].
     double enough = 0.0;
     double alike = 0.02;  // the same, of what comes from one source or aperture [1]
+    /// Share of the scene's area that apertures may light: noise is of matter there alone, so that
+    /// there may be more, for the same norm.
+    double lit_by_apertures = 1.0;
     /// First samples of a source that would give `whole` [W/m²].
     int first_of(double whole) const;
 };
