@@ -167,7 +167,8 @@ void AccuracySolve::aim_closer() {
                              over_norm * light_.pass().indirect().expected_miss(),
                              over_norm * light_.pass().direct_noise(),
                              light_.correction(),
-                             light_.read_coarsely()};
+                             light_.read_coarsely(),
+                             light_.has_gaps()};
     const auto rays_for = [&](double less) {
         return light_.noise().rays_for(less * light_.noise().absolute(aim_.rays), fewest_rays,
                                        most_rays);
@@ -260,11 +261,8 @@ void AccuracySolve::light_sensors() {
 /// Where the light went, of fields that are filled in.
 void AccuracySolve::account() {
     solution_.radiosity = exitances(stage_.scene, solution_.mesh);
-    for (PatchIndex i = 0; i < solution_.mesh.size(); ++i) {
-        const Surface& surface = stage_.scene.surfaces[solution_.mesh.patches[i].surface];
-        solution_.radiosity[i] +=
-            stage_.scene.materials[surface.material].reflectance * solution_.irradiance[i];
-    }
+    for (PatchIndex i = 0; i < solution_.mesh.size(); ++i)
+        solution_.radiosity[i] += light_.coarse()->reflectance()[i] * solution_.irradiance[i];
     solution_.energy = measure_energy(stage_.scene, solution_.mesh, backs_, escaped_,
                                       solution_.radiosity, solution_.irradiance);
 }

@@ -17,6 +17,7 @@ constexpr double improving = 0.7;     // of the error before: rounds alone bring
 constexpr double smoothed = 0.85;     // of the noise, what smoothing leaves [1]
 constexpr double most_sampled = 0.7;  // of what is planned, that vertices cannot bring down [1]
 constexpr double at_once = 0.5;       // of a cause, what one round brings it down to at most
+constexpr double in_vain = 0.25;      // the same, where the round before did not help
 constexpr int most_first = 512, times_first = 4;  // samples of each lamp
 constexpr int most_most = 8192, times_most = 4;   // of one seen in part
 /// Samples of each lamp, times the target, and of one seen in part at a target: its noise falls
@@ -80,20 +81,24 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
     const double beside = std::sqrt(std::pow(planned * target_, 2) - sampled * sampled);
     const std::array<double, 3> allowed = shares_of(std::min(beside, a_little * all), missed);
     const auto scale = [&](std::size_t k) {
-        return missed[k] > allowed[k] ? std::max(at_once, allowed[k] / missed[k]) : 1.0;
+        return missed[k] > allowed[k] ? allowed[k] / missed[k] : 1.0;
+    };
+    const auto cut = [&](double& finer, std::size_t k) {
+        const double before = std::exchange(missed_before_[k], missed[k]);
+        finer *= std::max(missed[k] < improving * before ? at_once : in_vain, scale(k));
     };
     aim.direct_anew = false;
     if (errors.direct_noise > planned * target_ && aim.effort.most < most_most) {
         aim.effort.most = std::min(times_most * aim.effort.most, most_most);
         aim.direct_anew = true;
     } else if (scale(0) < 1.0) {
-        // Every other time, as it was not bends alone: there is what samples did not find.
-        aim.direct_anew =
-            std::exchange(direct_missed_, !direct_missed_) && aim.effort.first < most_first;
+        // Beside gaps every other time, as there may be what samples did not find.
+        aim.direct_anew = errors.has_gaps && std::exchange(direct_missed_, !direct_missed_) &&
+                          aim.effort.first < most_first;
         if (aim.direct_anew)
             aim.effort.first = std::min(times_first * aim.effort.first, most_first);
         else
-            aim.direct *= scale(0);
+            cut(aim.direct, direct_light);
     }
     if (scale(1) == 1.0 && scale(2) == 1.0) {
         aim.gathered = GatherAim::Indirect::kept;
@@ -107,8 +112,8 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
     const double before = std::exchange(last_indirect_, errors.indirect);
     is_settling_ = !explained && errors.indirect < improving * before;
     if (is_settling_) return 1.0;
-    aim.indirect *= scale(2);
-    return scale(1);
+    if (scale(2) < 1.0) cut(aim.indirect, bends_between);
+    return std::max(at_once, scale(1));
 }
 
 }  // namespace patchlight

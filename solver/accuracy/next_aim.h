@@ -2,6 +2,7 @@
 
 #include "solver/accuracy/gathered_light.h"
 
+#include <array>
 #include <limits>
 
 namespace patchlight {
@@ -19,6 +20,7 @@ struct RoundErrors {
     double direct_noise = 0.0;            // of `direct`, what samples of lamps explain
     double correction = 0.0;              // what the round changed
     bool read_coarse = false;             // rays read a solution coarser than what they gathered
+    bool has_gaps = false;                // that samples of lamps may not find
 };
 
 /// What the next round aims at, where the one before missed the target.
@@ -43,9 +45,11 @@ class NextAim {
     /// Of the noise, what there may be; 1: as much as there is.
     double tighten(const RoundErrors& errors, GatherAim& aim);
 
+    static constexpr double inf = std::numeric_limits<double>::infinity();
     double target_;
     bool is_settling_ = false, direct_missed_ = false;
-    double last_indirect_ = std::numeric_limits<double>::infinity();
+    double last_indirect_ = inf;
+    std::array<double, 3> missed_before_{inf, inf, inf};  // per cause, when its aim was cut
 };
 
 }  // namespace patchlight

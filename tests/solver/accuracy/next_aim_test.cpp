@@ -63,19 +63,33 @@ TEST(NextAim, AsksForLessWhereOnlyDoubtWasTooMuch) {
 }
 
 TEST(NextAim, RefinesDirectLightAloneWhereItAloneIsToBlame) {
+    constexpr bool has_gaps = true;
     Rounds rounds;
-    rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005});
+    rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005, false, has_gaps});
     EXPECT_EQ(rounds.aim.gathered, Indirect::kept);
     EXPECT_LT(rounds.aim.direct, 0.0025);
     EXPECT_EQ(rounds.aim.effort.first, 64) << "it may have been bends alone";
-    rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005});
+    rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005, false, has_gaps});
     EXPECT_EQ(rounds.aim.effort.first, 256) << "it was not";
     EXPECT_TRUE(rounds.aim.direct_anew);
     const double direct = rounds.aim.direct;
-    rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005});
+    rounds.after({0.02, 0.003, 0.003, 0.001, 0.0, 0.0005, false, has_gaps});
     EXPECT_FALSE(rounds.aim.direct_anew);
     EXPECT_LT(rounds.aim.direct, direct) << "bends again";
     EXPECT_EQ(rounds.aim.rays, 256);
+}
+
+TEST(NextAim, CutsAQuarterWhereAHalfWasInVain) {
+    const RoundErrors missed{0.03, 0.003, 0.003, 0.001, 0.0, 0.0005};
+    Rounds rounds;
+    const double first = rounds.aim.direct;
+    rounds.after(missed);
+    const double second = rounds.aim.direct;
+    EXPECT_GE(second, 0.5 * first);
+    rounds.after(missed);
+    EXPECT_FALSE(rounds.aim.direct_anew) << "there are no gaps";
+    EXPECT_LT(rounds.aim.direct, 0.49 * second);
+    EXPECT_GE(rounds.aim.direct, 0.25 * second);
 }
 
 TEST(NextAim, DoesNotCutForNoiseOfLampsThatAreSeenInPart) {
