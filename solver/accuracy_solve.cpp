@@ -132,6 +132,7 @@ bool AccuracySolve::prepare_transport() {
 }
 
 bool AccuracySolve::gather(double coarseness) {
+    if (light_.shown() && !go_on()) return false;
     GatherAim aim = aim_;
     aim.direct *= coarseness;
     aim.indirect *= coarseness;

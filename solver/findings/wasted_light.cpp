@@ -6,7 +6,10 @@
 #include "solver/scene/finding_words.h"
 #include "solver/scene/polygon.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace patchlight {
@@ -39,7 +42,8 @@ class WastedLight {
             if (++looked_at > most_wasteful) break;
             const Fate fate = fate_of(surfaces);
             if (fate.fronts > 0 || (fate.backs > 0 && backs_are_told)) continue;
-            if (lights_a_sensor(surfaces) || reaches_a_front(surfaces)) continue;
+            if (lights_a_sensor(surfaces) || reaches_a_front(surfaces) || passes_an_edge(surfaces))
+                continue;
             findings.push_back(finding_of(object, fate));
         }
         return findings;
@@ -115,6 +119,41 @@ class WastedLight {
             walker.direction = way.normalized().cast<float>();
             fly(search_.rays, std::span(&walker, 1));
             if (walker.landing == Landing::front) return true;
+        }
+        return false;
+    }
+
+    /// By ways close by edges of polygons, at any distance alike on a scale of powers, that end at
+    /// a front: a sun may shine through a hole that neither rays nor surfaces tell of.
+    bool passes_an_edge(const std::vector<SurfaceIndex>& surfaces) const {
+        constexpr std::size_t at_a_time = 4096, rounds = 16;
+        constexpr double closest = 1e-4;  // of an edge's length
+        const Scene& scene = search_.scene;
+        std::vector<SurfacePoints> points;
+        for (const SurfaceIndex s : surfaces) points.emplace_back(scene.surfaces[s]);
+        for (std::size_t round = 0; round < rounds; ++round) {
+            std::vector<Walker> walkers;
+            for (std::size_t k = 0; k < at_a_time; ++k) {
+                const std::uint64_t seed =
+                    mix(mix(search_.seed, 0x65646765), round * at_a_time + k);
+                const std::size_t l = mix(seed, 0) % surfaces.size();
+                const SurfaceIndex lamp = surfaces[l];
+                const Surface& beside = scene.surfaces[mix(seed, 1) % scene.surfaces.size()];
+                const std::size_t n = beside.corners.size(), c = mix(seed, 2) % n;
+                const Vec3 along = beside.corners[(c + 1) % n] - beside.corners[c];
+                const Vec3 from = points[l].at(seed),
+                           at = beside.corners[c] + uniform_of(mix(seed, 3)) * along +
+                                std::pow(closest, uniform_of(mix(seed, 4))) *
+                                    along.cross(beside.normal);
+                const Vec3 way = at - from;
+                if (!(way.dot(scene.surfaces[lamp].normal) > 0.0)) continue;
+                walkers.push_back(leave(search_, lamp, from, Side::front, seed));
+                walkers.back().direction = way.normalized().cast<float>();
+            }
+            fly(search_.rays, walkers);
+            if (std::any_of(walkers.begin(), walkers.end(),
+                            [](const Walker& walker) { return walker.landing == Landing::front; }))
+                return true;
         }
         return false;
     }

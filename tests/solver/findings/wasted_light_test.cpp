@@ -50,5 +50,25 @@ TEST(WastedLight, IsNoneWhereASmallOrFarSurfaceOrASensorGetsSome) {
     EXPECT_TRUE(wasted(scene).empty());
 }
 
+/// A floor under a ceiling of 4 m with a hole of 2 cm, or none, a sun 200 m above it.
+TEST(WastedLight, IsNoneOfASunThatShinesThroughAHole) {
+    for (const double hole : {0.02, 0.0}) {
+        Scene scene = empty_scene();
+        add_named(scene, "floor", rectangle(Vec3(-2, -2, 0), 4 * x, 4 * y));
+        const double h = 0.5 * hole;
+        const auto ceiling = [&](const Vec3& corner, const Vec3& first, const Vec3& second) {
+            add_named(scene, "ceiling", rectangle(corner, second, first));
+        };
+        ceiling({-2, -2, 3}, 4 * x, (2 - h) * y);
+        ceiling({-2, h, 3}, 4 * x, (2 - h) * y);
+        if (hole > 0.0) {
+            ceiling({-2, -h, 3}, (2 - h) * x, hole * y);
+            ceiling({h, -h, 3}, (2 - h) * x, hole * y);
+        }
+        add_named(scene, "sun", rectangle(Vec3(-1, -1, 200), 2 * y, 2 * x), lamp);
+        EXPECT_EQ(wasted(scene).empty(), hole > 0.0) << hole;
+    }
+}
+
 }  // namespace
 }  // namespace patchlight::wasted_light_test
