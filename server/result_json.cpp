@@ -101,11 +101,11 @@ Json seconds_of(const StageSeconds& stages, const RunReport& report) {
             {"total", report.total_seconds}};
 }
 
-void require_finite(const Json& value) {
+void require_finite(const Json& value, const std::string& at = "") {
     if (value.is_number_float() && !std::isfinite(value.get<double>()))
-        throw std::logic_error("a result that is not finite");
+        throw std::logic_error("a result that is not finite: " + at);
     if (value.is_structured())
-        for (const Json& element : value) require_finite(element);
+        for (const auto& [key, element] : value.items()) require_finite(element, at + "/" + key);
 }
 
 }  // namespace
