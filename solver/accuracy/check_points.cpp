@@ -148,7 +148,7 @@ struct Checker {
 }  // namespace
 
 double MeasuredError::at_most(double standard_errors) const {
-    return std::sqrt(std::max(0.0, square + standard_errors * std::sqrt(variance)));
+    return std::sqrt(std::max(square + standard_errors * std::sqrt(variance), 0.0));
 }
 
 namespace {
@@ -187,7 +187,7 @@ CheckReport joined(const CheckReport& a, const CheckReport& b) {
 
 double CheckReport::at_most(double standard_errors) const {
     const double spread = standard_errors * std::sqrt(direct.variance + indirect.variance);
-    return std::sqrt(std::max(0.0, direct.square + indirect.square + spread));
+    return std::sqrt(std::max(direct.square + indirect.square + spread, 0.0));
 }
 
 CheckReport check_display(const Scene& scene, const TreeDisplay& shown, const VertexGather& gather,

@@ -21,15 +21,30 @@ constexpr double decay = 0.72;
 }  // namespace
 
 GatherNoise::GatherNoise(const Scene& scene, const PatchMesh& mesh, const VertexGather& gather,
-                         const ReflectedField& field, std::uint64_t seed) {
-    std::vector<double> areas;  // cumulated
-    for (const Patch& patch : mesh.patches)
-        areas.push_back((areas.empty() ? 0.0 : areas.back()) + (patch.covered ? 0.0 : patch.area));
+                         const ReflectedField& field, const std::vector<Rgb>& reflected,
+                         std::uint64_t seed) {
+    double area = 0.0, light = 0.0;
+    const auto area_of = [&](PatchIndex i) {
+        return mesh.patches[i].covered ? 0.0 : mesh.patches[i].area;
+    };
+    const auto light_of = [&](PatchIndex i) {
+        return area_of(i) * std::max(0.0, luminance(reflected[i]));
+    };
+    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+        area += area_of(i);
+        light += light_of(i);
+    }
+    const auto chance = [&](PatchIndex i) {  // not summed to 1 where there is no light
+        return 0.5 * area_of(i) / area + (light > 0.0 ? 0.5 * light_of(i) / light : 0.0);
+    };
+    std::vector<double> up_to;
+    for (PatchIndex i = 0; i < mesh.size(); ++i)
+        up_to.push_back((up_to.empty() ? 0.0 : up_to.back()) + chance(i));
     std::array<double, points> square{};
     tbb::parallel_for(std::size_t{0}, points, [&](std::size_t k) {
-        const double at = (static_cast<double>(k) + 0.5) / points * areas.back();
+        const double at = (static_cast<double>(k) + 0.5) / points * up_to.back();
         const auto i = static_cast<PatchIndex>(
-            std::upper_bound(areas.begin(), areas.end() - 1, at) - areas.begin());
+            std::upper_bound(up_to.begin(), up_to.end() - 1, at) - up_to.begin());
         const GatherPoint point = gather.point(i, mesh.patches[i].centre);
         const Rgb& reflectance =
             scene.materials[scene.surfaces[mesh.patches[i].surface].material].reflectance;
@@ -39,10 +54,11 @@ GatherNoise::GatherNoise(const Scene& scene, const PatchMesh& mesh, const Vertex
                     .indirect(point, field, measured_rays, mix(seed, 2 * k + 1))
                     .irradiance;
         const double difference = luminance(reflectance * (a - b));
-        square[k] = 0.5 * difference * difference;
+        if (chance(i) > 0.0)
+            square[k] = 0.5 * difference * difference * area_of(i) * up_to.back() / chance(i);
     });
     for (const double value : square) absolute_ += value / points;
-    absolute_ = std::sqrt(absolute_ * areas.back());
+    absolute_ = std::sqrt(absolute_);
 }
 
 double GatherNoise::absolute(int rays) const {

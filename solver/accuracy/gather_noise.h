@@ -8,11 +8,12 @@
 namespace patchlight {
 
 /// How noisy indirect irradiance gathered with so many rays is, measured by gathering twice at
-/// points spread over the scene.
+/// points half of which are spread over the scene's area, half over its light.
 class GatherNoise {
   public:
+    /// `reflected`: about what patches send back [W/m²].
     GatherNoise(const Scene& scene, const PatchMesh& mesh, const VertexGather& gather,
-                const ReflectedField& field, std::uint64_t seed);
+                const ReflectedField& field, const std::vector<Rgb>& reflected, std::uint64_t seed);
 
     /// √∫ Y(ρ·noise)² dA of single points [W/m].
     double absolute(int rays) const;

@@ -202,7 +202,9 @@ void GatheredLight::read_coarse() {
 
 const GatherNoise& GatheredLight::noise() {
     if (!field_) read_coarse();
-    if (!noise_) noise_.emplace(scene_, mesh_, pass_.points(), *field_, mix(seed_, 0x6e6f6973));
+    if (!noise_)
+        noise_.emplace(scene_, mesh_, pass_.points(), *field_, field_means_,
+                       mix(seed_, 0x6e6f6973));
     return *noise_;
 }
 

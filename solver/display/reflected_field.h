@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace patchlight {
@@ -73,8 +74,8 @@ class ReflectedField {
     std::vector<RayPoint> normals_;     // of surfaces
     std::vector<Bright> bright_;        // cells with an excess
     std::vector<std::uint32_t> guide_;  // per equal step of power: where in `bright_` it begins
-    float threshold_ = 0.0f;            // [W/m²]
-    float per_power_ = 0.0f;            // one over the excess times its area in ray space, summed
+    float threshold_ = std::numeric_limits<float>::infinity();  // [W/m²]
+    float per_power_ = 0.0f;  // one over the excess times its area in ray space, summed
 };
 
 }  // namespace patchlight

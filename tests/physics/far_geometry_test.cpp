@@ -114,5 +114,30 @@ TEST_F(FarGeometry, ARoomOfMillimetresOrKilometresIsTheSame) {
     }
 }
 
+/// Solved to 0.005, which leaves sensors hardly any noise of their own.
+TEST_F(FarGeometry, ChangesLuxByLessThanAThousandth) {
+    const auto lux = [](Scene scene) {
+        settle_far_geometry(scene);
+        SolveSettings settings;
+        settings.accuracy = 0.005;
+        const Solution solution = solve_scene(scene, settings, {});
+        EXPECT_TRUE(solution.error.met());
+        std::vector<double> found;
+        for (const SensorReport& sensor : solution.sensors) found.push_back(sensor.irradiance[0]);
+        return found;
+    };
+    const std::vector<double> right = lux(room);
+    const Motion motion{1.0, Vec3(5e5, 5e6, 100)};
+    for (const Scene& scene :
+         {with(room, scene_of(rectangle(1e5 * Vec3(1, 1, 0.1), x, y))),
+          with(room, scene_of(rectangle(Vec3(-1e5, -1e5, -0.1), 2e5 * x, 2e5 * y))),
+          with_sensors_moved(moved(room, motion), room, motion)}) {
+        const std::vector<double> found = lux(scene);
+        ASSERT_EQ(found.size(), right.size());
+        for (std::size_t s = 0; s < right.size(); ++s)
+            EXPECT_NEAR(found[s] / right[s], 1.0, 1e-3) << s;
+    }
+}
+
 }  // namespace
 }  // namespace patchlight::far_geometry_test
