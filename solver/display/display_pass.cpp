@@ -2,6 +2,7 @@
 
 #include "solver/display/curved_mean.h"
 #include "solver/display/find_apertures.h"
+#include "solver/display/lit_area.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,10 +53,8 @@ std::vector<Rgb> spread(const RefinementTree& tree, const std::vector<Rgb>& of_p
 
 PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<LightSource> sources,
                         int most_samples, std::uint64_t seed) {
-    double area = 0.0;
-    for (const Surface& surface : scene.surfaces)
-        if ((scene.materials[surface.material].reflectance > 0.0).any()) area += surface.area;
-    const std::vector<Aperture> apertures = find_apertures(scene, rays, sources, area, seed);
+    const std::vector<Aperture> apertures =
+        find_apertures(scene, rays, sources, lit_area(scene, rays, sources, seed), seed);
     return PointGather(rays, std::move(sources), most_samples, apertures);
 }
 
