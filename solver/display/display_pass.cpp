@@ -2,7 +2,7 @@
 
 #include "solver/display/curved_mean.h"
 #include "solver/display/find_apertures.h"
-#include "solver/display/lit_area.h"
+#include "solver/display/lamp_reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ std::vector<Rgb> spread(const RefinementTree& tree, const std::vector<Rgb>& of_p
 PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<LightSource> sources,
                         int most_samples, std::uint64_t seed) {
     const std::vector<Aperture> apertures =
-        find_apertures(scene, rays, sources, lit_area(scene, rays, sources, seed), seed);
+        find_apertures(scene, rays, sources, find_lamp_reach(scene, rays, sources, seed), seed);
     return PointGather(rays, std::move(sources), most_samples, apertures);
 }
 

@@ -38,9 +38,10 @@ struct Edge {
 class ApertureSearch {
   public:
     ApertureSearch(const Scene& scene, const RayScene& rays,
-                   const std::vector<LightSource>& sources, double area, std::uint64_t seed)
-        : scene_(scene), rays_(rays), sources_(sources), seed_(seed) {
-        widest_ = static_cast<float>(widest * std::sqrt(area) * rays.scale());
+                   const std::vector<LightSource>& sources, const LampReach& reach,
+                   std::uint64_t seed)
+        : scene_(scene), rays_(rays), sources_(sources), reach_(reach), seed_(seed) {
+        widest_ = static_cast<float>(widest * std::sqrt(reach.area) * rays.scale());
         source_of_.assign(scene.surfaces.size(), nullptr);
         double power = 0.0;
         for (const LightSource& source : sources) {
@@ -203,6 +204,7 @@ class ApertureSearch {
         constexpr float little = 0.25f, spot_of_widest = 0.75f;
         constexpr float of_a_sun = 4.0f;  // two to three vertices across: nothing else is as bright
         constexpr float sun = 0.03f;      // of its distance
+        constexpr double lights_a_room = 0.1;   // of its rays: its spots are as bright as the rest
         constexpr float far_from_both = 0.25f;  // else it is an edge that light grazes, or no gap
         const float width = std::min(gap.first_edge.norm(), gap.second_edge.norm()),
                     lamp = static_cast<float>(narrow_side(passage.source->polygon) * rays_.scale());
@@ -210,13 +212,16 @@ class ApertureSearch {
         const float seen = width * (passage.before + passage.after) / passage.after,
                     spot = width * (1.0f + passage.after / passage.before) +
                            lamp * passage.after / passage.before;
-        const float narrow = lamp < sun * passage.before ? of_a_sun : spot_of_widest;
+        const auto number = static_cast<std::size_t>(passage.source - sources_.data());
+        const bool is_sun = lamp < sun * passage.before && reach_.landed[number] < lights_a_room;
+        const float narrow = is_sun ? of_a_sun : spot_of_widest;
         return seen < little * lamp || spot < narrow * widest_;
     }
 
     const Scene& scene_;
     const RayScene& rays_;
     const std::vector<LightSource>& sources_;
+    const LampReach& reach_;
     std::uint64_t seed_;
     float widest_ = 0.0f;                        // gap [ray space]
     std::vector<const LightSource*> source_of_;  // per surface
@@ -229,10 +234,10 @@ class ApertureSearch {
 }  // namespace
 
 std::vector<Aperture> find_apertures(const Scene& scene, const RayScene& rays,
-                                     const std::vector<LightSource>& sources, double area,
-                                     std::uint64_t seed) {
+                                     const std::vector<LightSource>& sources,
+                                     const LampReach& reach, std::uint64_t seed) {
     if (rays.frames() > 1) return {};  // they are known in one frame alone
-    return ApertureSearch(scene, rays, sources, area, seed).find();
+    return ApertureSearch(scene, rays, sources, reach, seed).find();
 }
 
 }  // namespace patchlight
