@@ -25,6 +25,7 @@ constexpr double one_round = 0.015;     // targets from here on need no rounds b
 constexpr double still_settling = 0.7;  // of the error before: rounds still bring it down
 constexpr double direct_noise = 0.25;   // of the target, that samples of lamps leave
 constexpr double balanced = 0.02;       // of the target, that may be missing of the energy
+constexpr double for_tolerance = 0.4;   // of the target, that the coarse solution may leave
 constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
@@ -63,6 +64,10 @@ class AccuracySolve {
         return [this](int iteration, double residual) { return observe(iteration, residual); };
     }
     EnergyAim energy_aim() const;
+    /// Of the coarse solution: what was set, but no more than leaves the target within reach.
+    double tolerance() const {
+        return std::min(*solution_.settings.tolerance, for_tolerance * target_);
+    }
     bool prepare_transport();
     bool gather(double coarseness);
     ErrorMeasure error_measure() const {
@@ -95,12 +100,10 @@ class AccuracySolve {
 
 /// What goes astray is counted to two fifths of the target, by chance alone at most.
 EnergyAim AccuracySolve::energy_aim() const {
-    const bool outside =
-        solution_.form_factors.open ||
-        std::any_of(backs_.begin(), backs_.end(), [](double s) { return s > 0.0; });
+    const auto is_some = [](double s) { return s > 0.0; };
     EnergyAim aim;
     aim.balanced = balanced * target_;
-    if (outside)
+    if (solution_.form_factors.open || std::any_of(backs_.begin(), backs_.end(), is_some))
         aim.outside_rays = static_cast<std::size_t>(
             std::clamp(std::pow(0.5 / (0.4 * target_), 2), 4096.0, 262144.0));
     return aim;
@@ -125,8 +128,8 @@ bool AccuracySolve::prepare_transport() {
         backs_ = exchange_.backs;
         escaped_ = exchange_.escaped;
     }
-    solution_.form_factors.open =
-        std::any_of(escaped_.begin(), escaped_.end(), [](double share) { return share > 0.0; });
+    const auto is_some = [](double share) { return share > 0.0; };
+    solution_.form_factors.open = std::any_of(escaped_.begin(), escaped_.end(), is_some);
     solution_.seconds.form_factors = stage_.watch.lap();
     return true;
 }
@@ -140,7 +143,7 @@ bool AccuracySolve::gather(double coarseness) {
         aim.rays = light_.noise().rays_for(coarseness * light_.noise().absolute(aim_.rays),
                                            fewest_rays, aim_.rays);
     aim.direct_anew = aim.direct_anew && coarseness == 1.0;
-    return light_.gather(aim, *solution_.settings.tolerance, observer());
+    return light_.gather(aim, tolerance(), observer());
 }
 
 void AccuracySolve::measure() {
@@ -162,17 +165,17 @@ void AccuracySolve::check_from_lamps() {
 
 void AccuracySolve::aim_closer() {
     const double over_norm = passed_on / light_.norm();
+    const DisplayPass& pass = light_.pass();
     const RoundErrors errors{over_norm * measured_->checks.direct.at_most(1.0),
                              over_norm * measured_->checks.indirect.at_most(1.0),
-                             over_norm * light_.pass().indirect_noise(),
-                             over_norm * light_.pass().indirect().expected_miss(),
-                             over_norm * light_.pass().direct_noise(),
+                             over_norm * pass.indirect_noise(),
+                             over_norm * pass.indirect().expected_miss(),
+                             over_norm * pass.direct_noise(),
                              light_.correction(),
                              light_.read_coarsely(),
                              light_.has_gaps()};
-    const auto rays_for = [&](double less) {
-        return light_.noise().rays_for(less * light_.noise().absolute(aim_.rays), fewest_rays,
-                                       most_rays);
+    const auto rays_for = [&, &noise = light_.noise()](double less) {
+        return noise.rays_for(less * noise.absolute(aim_.rays), fewest_rays, most_rays);
     };
     if (!next_aim_.after(errors, rays_for, aim_)) return;
     for (int round = 0; round < rounds_between && gather(coarser);) ++round;
@@ -213,9 +216,8 @@ void AccuracySolve::run() {
     solution_.status = Status::limit;
     const double first_target = target_ < one_round ? coarser * target_ : target_;
     aim_ = first_aim(target_, first_target, fewest_rays);
-    if (prepare_transport() &&
-        light_.start(*transport_, backs_, energy_aim(), aim_.effort, direct_noise * target_,
-                     *solution_.settings.tolerance, observer())) {
+    if (prepare_transport() && light_.start(*transport_, backs_, energy_aim(), aim_.effort,
+                                            direct_noise * target_, tolerance(), observer())) {
         aim_.rays = light_.noise().rays_for(
             first_noise(first_target) * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();
@@ -249,10 +251,8 @@ void AccuracySolve::light_sensors() {
         });
     if (light_.reflects()) return;
     double most = 0.0, worst = 0.0;
-    for (const SensorReport& sensor : solution_.sensors) {
-        most = std::max(most, luminance(sensor.irradiance));
-        worst = std::max(worst, sensor.error);
-    }
+    for (const SensorReport& sensor : solution_.sensors)
+        most = std::max(most, luminance(sensor.irradiance)), worst = std::max(worst, sensor.error);
     if (!(most > 0.0)) return;
     solution_.error.estimate = worst / most;
     if (!solution_.error.met() && solution_.status == Status::converged)
