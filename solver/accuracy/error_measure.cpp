@@ -134,8 +134,8 @@ void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, do
     effort.norm = reflected.norm;
     effort.area = reflected.area;
     ParticleEvidence found =
-        check_transport(scene, mesh, rays, light.pass().points().gather().apertures(),
-                        *light.shown(), light.places(), effort, seed);
+        check_transport(scene, mesh, rays, light.pass().points().gather().gaps(), *light.shown(),
+                        light.places(), effort, seed);
     Evidence all = evidence(round.checks, reflected);
     all.transport = found.check;
     round.error = judge(all);

@@ -11,6 +11,9 @@ struct Aperture {
     RayPoint normal;  // unit, either way
     float area = 0.0f;
     RayPoint first_of, second_of;  // (p - corner)·x: coordinates along the edges [1]
+    /// So little of a lamp is seen through it that samples of the lamp hardly find it, or it is all
+    /// that a sun lights; else it makes spots that vertices may miss, and no more.
+    bool hides_lamps = true;
 
     RayPoint at(float u, float v) const { return corner + u * first_edge + v * second_edge; }
     struct Pick {

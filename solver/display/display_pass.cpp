@@ -67,8 +67,8 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
                           find_light_sources(scene, lines, rays, sources_for(mesh.size())),
                           most_rays, seed)),
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
-      near_lights_(scene, mesh, rays, gather_.sources(), gather_.apertures()),
-      spots_(scene, mesh, rays, gather_.sources(), gather_.apertures().all(), seed),
+      near_lights_(scene, mesh, rays, gather_.sources(), gather_.gaps()),
+      spots_(scene, mesh, rays, gather_.sources(), gather_.gaps().all(), seed),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
     restart_direct();
     restart_indirect();
@@ -89,7 +89,7 @@ bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
                spots_.may_hide_spot(tree_, element);
     };
     rule.follow = true;
-    if (!gather_.apertures().empty()) rule.most_levels = most_levels;
+    if (!gather_.gaps().empty()) rule.most_levels = most_levels;
     rule.most_vertices = std::max(most_first_vertices, most_times * direct_gathered_);
     const bool is_whole = direct_->refine(tree_, weight_, rule, [&](auto vertices) {
         return points_.direct(tree_, vertices, effort);

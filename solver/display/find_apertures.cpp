@@ -48,6 +48,8 @@ class ApertureSearch {
             source_of_[source.surface] = &source;
             power += source.power;
             power_.push_back(power);
+            widest_lamp_ = std::max(widest_lamp_,
+                                    static_cast<float>(narrow_side(source.polygon) * rays.scale()));
         }
         for (const Surface& surface : scene.surfaces)
             if (surface.side == Side::front) add_edges(surface);
@@ -191,30 +193,48 @@ class ApertureSearch {
         if (found_.size() >= most_apertures) return false;
         const GapProbe probe{rays_, passage.direction,
                              std::min({passage.before, passage.after, 10.0f * widest_}), widest_};
-        const auto gap = probe.find(passage.point, passage.edge->outward, passage.edge->along,
-                                    passage.edge->normal);
+        auto gap = probe.find(passage.point, passage.edge->outward, passage.edge->along,
+                              passage.edge->normal);
         if (!gap || !is_worth_it(*gap, passage)) return false;
+        gap->hides_lamps = seen_through(*gap, passage) < little * widest_lamp_ || is_sun(passage);
         found_.add(*gap);
         known_.push_back(-passage.direction);
         return true;
     }
 
+    static constexpr float little = 0.25f;  // of a lamp
+
+    /// How wide a part of a plane at the lamp is seen through it.
+    static float seen_through(const Aperture& gap, const Passage& passage) {
+        return std::min(gap.first_edge.norm(), gap.second_edge.norm()) *
+               (passage.before + passage.after) / passage.after;
+    }
+
+    float width_of_lamp(const Passage& passage) const {
+        return static_cast<float>(narrow_side(passage.source->polygon) * rays_.scale());
+    }
+
+    /// A small lamp, and one that lights hardly anything but through gaps.
+    bool is_sun(const Passage& passage) const {
+        constexpr float small = 0.03f;         // of its distance
+        constexpr double lights_a_room = 0.1;  // of its rays: its spots are as bright as the rest
+        const auto number = static_cast<std::size_t>(passage.source - sources_.data());
+        return width_of_lamp(passage) < small * passage.before &&
+               reach_.landed[number] < lights_a_room;
+    }
+
     /// A lamp of which little is seen through the gap, or a spot that vertices may miss.
     bool is_worth_it(const Aperture& gap, const Passage& passage) const {
-        constexpr float little = 0.25f, spot_of_widest = 0.75f;
+        constexpr float spot_of_widest = 0.75f;
         constexpr float of_a_sun = 4.0f;  // two to three vertices across: nothing else is as bright
-        constexpr float sun = 0.03f;      // of its distance
-        constexpr double lights_a_room = 0.1;   // of its rays: its spots are as bright as the rest
         constexpr float far_from_both = 0.25f;  // else it is an edge that light grazes, or no gap
         const float width = std::min(gap.first_edge.norm(), gap.second_edge.norm()),
-                    lamp = static_cast<float>(narrow_side(passage.source->polygon) * rays_.scale());
+                    lamp = width_of_lamp(passage);
         if (width > far_from_both * std::min(passage.before, passage.after)) return false;
-        const float seen = width * (passage.before + passage.after) / passage.after,
+        const float seen = seen_through(gap, passage),
                     spot = width * (1.0f + passage.after / passage.before) +
                            lamp * passage.after / passage.before;
-        const auto number = static_cast<std::size_t>(passage.source - sources_.data());
-        const bool is_sun = lamp < sun * passage.before && reach_.landed[number] < lights_a_room;
-        const float narrow = is_sun ? of_a_sun : spot_of_widest;
+        const float narrow = is_sun(passage) ? of_a_sun : spot_of_widest;
         return seen < little * lamp || spot < narrow * widest_;
     }
 
@@ -223,7 +243,7 @@ class ApertureSearch {
     const std::vector<LightSource>& sources_;
     const LampReach& reach_;
     std::uint64_t seed_;
-    float widest_ = 0.0f;                        // gap [ray space]
+    float widest_ = 0.0f, widest_lamp_ = 0.0f;   // gap, and lamp [ray space]
     std::vector<const LightSource*> source_of_;  // per surface
     std::vector<double> power_;                  // cumulated
     std::vector<Edge> edges_;

@@ -41,6 +41,11 @@ std::optional<Vec3> meet(const LightSource& source, const Vec3& from, const Vec3
     }
     return p;
 }
+
+std::vector<Aperture> that_hide_lamps(std::vector<Aperture> apertures) {
+    std::erase_if(apertures, [](const Aperture& aperture) { return !aperture.hides_lamps; });
+    return apertures;
+}
 }  // namespace
 
 int DirectEffort::first_of(double whole) const {
@@ -53,7 +58,8 @@ PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources,
                          const std::vector<Aperture>& apertures)
     : rays_(rays),
       sources_(std::move(sources)),
-      apertures_(apertures, sources_, rays),
+      gaps_(apertures, sources_, rays),
+      apertures_(that_hide_lamps(apertures), sources_, rays),
       points_(static_cast<std::size_t>(std::max(most_samples, ray_batch))) {
     for (std::uint32_t s = 0; s < sources_.size(); ++s) {
         source_of_.resize(std::max<std::size_t>(source_of_.size(), sources_[s].surface + 1), 0);

@@ -49,7 +49,9 @@ class PointGather {
                 const std::vector<Aperture>& apertures = {});
 
     const std::vector<LightSource>& sources() const { return sources_; }
+    /// Those that are sampled, and all gaps that are known.
     const ApertureSet& apertures() const { return apertures_; }
+    const ApertureSet& gaps() const { return gaps_; }
     /// `lift` above a point of that frame.
     GatherPoint at(const Vec3& position, const Vec3& normal, float lift, FrameIndex frame) const;
 
@@ -114,7 +116,7 @@ class PointGather {
 
     const RayScene& rays_;
     std::vector<LightSource> sources_;
-    ApertureSet apertures_;
+    ApertureSet gaps_, apertures_;
     std::vector<std::uint32_t> source_of_;  // per surface: number and 1
     SobolPoints points_;
 };
