@@ -221,16 +221,17 @@ void AccuracySolve::run() {
         aim_.rays = light_.noise().rays_for(
             first_noise(first_target) * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();
-        if (!light_.reflects()) {  // nothing is sent back, so nothing can be wrong
-            if (gather(1.0)) solution_.status = Status::converged;
-        } else {
+        if (light_.reflects())
             refine(first_target > target_ ? settle() : gather(1.0));
-        }
+        else if (gather(1.0))  // nothing is sent back, so nothing can be wrong
+            solution_.status = Status::converged;
     }
     if (stopped_ != StopReason::cancelled && light_.shown() && light_.reflects()) {
         if (!measured_) measure();
         if (!measured_->error.transport) check_from_lamps();
     }
+    if (stopped_ == StopReason::time_limit && light_.shown() && !light_.reflects())
+        solution_.error.estimate = 1.0;  // all is missing: no light was found in that time
     if (stopped_ == StopReason::cancelled) solution_.status = Status::cancelled;
     finish();
 }

@@ -214,16 +214,14 @@ bool GatheredLight::gather(const GatherAim& aim, double tolerance,
                                   std::min(most_elements, root_elements / std::sqrt(aim.direct))},
         indirect{aim.indirect * norm(), 1.0 / aim.indirect};
     if (aim.direct_anew && shown_) pass_.restart_direct();
-    if (!pass_.refine_direct(direct, aim.effort)) {
+    // Shooting once more takes too long.
+    const bool first = !shown_, by_matrix = first && !exact_direct_.empty();
+    if (!pass_.refine_direct(direct, aim.effort) ||
+        (by_matrix && !solve_coarse(tolerance, observe))) {
         show_what_there_is(tolerance, observe);
         return false;
     }
-    const bool first = !shown_;
-    if (first) {
-        const bool by_matrix = !exact_direct_.empty();  // shooting once more takes too long
-        if (by_matrix && !solve_coarse(tolerance, observe)) return false;
-        read_coarse();
-    }
+    if (first) read_coarse();
     if (aim.gathered == GatherAim::Indirect::anew) {
         read_newest();
         read_coarsely_ = first;
