@@ -18,14 +18,17 @@ void expect_no_contradiction(const Document& result, double target) {
     const double estimate = error.at("estimate"), energy = result.at("energy").at("defect"),
                  bound = error.value("algebraic_bound", 0.0);
     const double law =
-        bound + std::hypot(error.at("form_factors").get<double>(), error.at("mesh").get<double>());
+        bound + std::hypot(error.value("form_factors", 0.0), error.value("mesh", 0.0));
     EXPECT_GE(estimate, law * (1.0 - 1e-9));
     EXPECT_EQ(error.at("met").get<bool>(), result.at("status") == "converged");
     if (error.at("met").get<bool>()) {
         EXPECT_LE(estimate, target);
         EXPECT_LE(energy - 2.0 * result.at("energy").value("standard_error", 0.0), target);
     }
-    ASSERT_TRUE(error.contains("transport_check"));
+    if (!error.contains("transport_check")) {
+        EXPECT_EQ(estimate, 1.0) << "no light was found";
+        return;
+    }
     const Document& check = error.at("transport_check");
     const double difference = check.at("difference"), noise = check.at("standard_error");
     EXPECT_LE(check.at("proven").get<double>(), estimate);
@@ -69,13 +72,17 @@ TEST(Contradictions, AreNoneWhereTheCoarseSolutionStopsEarly) {
         }
 }
 
-/// Where a limit ends the work, what is reported is of what is displayed.
+/// Where a limit ends the work, what is reported is of what is displayed. A slow machine may have
+/// nothing to display by then.
 TEST(Contradictions, AreNoneWhereALimitEndsTheWork) {
     Job job = read_scene_file(PATCHLIGHT_EXAMPLES "/cornell_box.json");
-    for (const double seconds : {0.2, 1.0}) {
+    job.settings.accuracy = 1e-4;
+    for (const double seconds : {0.5, 2.0}) {
         SCOPED_TRACE(seconds);
         job.settings.time_limit = seconds;
-        expect_none_in(job, 1e-4);
+        const JobResult result = run_job(job, {}, 0.0, {});
+        if (result.document.at("error").contains("estimate"))
+            expect_no_contradiction(result.document, 1e-4);
     }
 }
 
