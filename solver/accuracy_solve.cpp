@@ -240,11 +240,8 @@ void AccuracySolve::run() {
 /// target refers to.
 void AccuracySolve::light_sensors() {
     if (stage_.scene.sensors.empty() || !light_.field()) return;
-    SensorEffort effort;
-    effort.direct.bright = aim_.effort.bright;
-    effort.rays = std::clamp(2 * aim_.rays, 512, most_rays);
-    effort.rays_of_look = std::max(64, aim_.rays / 128 * 32);
-    effort.seed = seed(0x73656e73);
+    const SensorEffort effort =
+        sensor_effort(aim_, light_.rays_taken(aim_), stage_.scene.sensors.size(), seed(0x73656e73));
     solution_.sensors = light_at_sensors(
         stage_.scene, stage_.rays, light_.pass().points().gather(), *light_.field(), effort,
         [&](double fraction) {

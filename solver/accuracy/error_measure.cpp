@@ -124,12 +124,9 @@ void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, do
                                     MeasuredRound& round) const {
     if (!round.error.estimate) return;
     const ReflectedLight reflected = light.reflected();
-    const double gathered =
-        static_cast<double>(light.pass().indirect().gathered()) * aim.rays +
-        static_cast<double>(light.pass().direct().gathered()) * aim.effort.first;
     ParticleEffort effort;
     effort.target = target;
-    effort.rays = static_cast<std::uint64_t>(share_of_rays * gathered);
+    effort.rays = static_cast<std::uint64_t>(share_of_rays * light.rays_taken(aim));
     effort.seconds = seconds;
     effort.norm = reflected.norm;
     effort.area = reflected.area;

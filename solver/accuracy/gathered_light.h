@@ -73,6 +73,11 @@ class GatheredLight {
     const GatherNoise& noise();  // measured when first asked for
     const std::optional<GatherNoise>& known_noise() const { return noise_; }
     const DisplayPass& pass() const { return pass_; }
+    /// By what was gathered as `aim` has it; rays outside and of check points are not among them.
+    double rays_taken(const GatherAim& aim) const {
+        return static_cast<double>(pass_.indirect().gathered()) * aim.rays +
+               static_cast<double>(pass_.direct().gathered()) * aim.effort.first;
+    }
     /// The coarse solution, once there is one.
     const CoarseSolution* coarse() const { return coarse_ ? &*coarse_ : nullptr; }
     const std::vector<Rgb>& direct_means() const { return direct_means_; }  // of patches [W/m²]

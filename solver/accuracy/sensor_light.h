@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/display/point_gather.h"
+#include "solver/accuracy/gathered_light.h"
 #include "solver/solution.h"
 
 #include <functional>
@@ -15,6 +15,11 @@ struct SensorEffort {
     int rays_of_look = 256;  // at each of 16 places that the sensor sees, likewise
     std::uint64_t seed = 0;
 };
+
+/// As fine as vertices were gathered, or finer: all sensors may take a twentieth of the rays that
+/// vertices took.
+SensorEffort sensor_effort(const GatherAim& aim, double rays_of_vertices, std::size_t sensors,
+                           std::uint64_t seed);
 
 /// Irradiance at each sensor: straight from sources, and by rays from the field. What its parts
 /// differ by tells the noise. `go_on` is told the fraction done now and then; after a false there
