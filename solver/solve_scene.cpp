@@ -12,6 +12,7 @@
 
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -103,6 +104,17 @@ void count_field_error(Solution& solution) {
             std::hypot(sensor.error, solution.error.estimate.value_or(0.0) * sensor.reflected);
 }
 
+/// Where the work ended before anything was measured, all the light is taken for missing.
+void count_all_as_missing(const Scene& scene, Solution& solution) {
+    if (!solution.settings.accuracy || solution.error.estimate) return;
+    solution.error.target = solution.settings.accuracy;
+    if (solution.status == Status::converged) return;
+    const bool is_lit = std::any_of(
+        scene.surfaces.begin(), scene.surfaces.end(),
+        [&](const Surface& s) { return !scene.materials[s.material].exitance.isZero(0.0); });
+    if (is_lit) solution.error.estimate = 1.0;
+}
+
 }  // namespace
 
 Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe) {
@@ -126,6 +138,7 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     if (stopped != StopReason::tolerance) {
         show_lamps_alone(scene, solution);
         solution.status = status_of(stopped);
+        count_all_as_missing(scene, solution);
         solution.seconds.mesh = watch.lap();
         return solution;
     }
@@ -135,6 +148,7 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     const SolveStage stage{scene, rays, watch, solution};
     if (solution.settings.accuracy) {
         solve_to_accuracy(stage, lines);
+        count_all_as_missing(scene, solution);
         count_field_error(solution);
         solution.objects = measure_objects(scene, solution);
         return solution;
