@@ -5,13 +5,16 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
 
 namespace patchlight {
 
 namespace {
 
 constexpr double inward = 1e-4;  // of the way to the patch's centre
-constexpr std::size_t points_at_a_time = 1024;
+/// Points between two looks at the clock, from 64 on: those beside many gaps take milliseconds.
+constexpr std::size_t first_points = 64, fewest_points = 16, most_points = 4096;
+constexpr double seconds_between = 0.02;
 constexpr double most_pairs = 2e7;  // of patches and patches of sources that are looked at
 
 }  // namespace
@@ -58,13 +61,18 @@ bool VertexGather::may_be_shaded(PatchIndex i) const {
 std::vector<VertexGather::Gathered> VertexGather::each(
     std::size_t count, const std::function<Gathered(std::size_t)>& at) const {
     std::vector<Gathered> values(count);
-    for (std::size_t first = 0; first < count; first += points_at_a_time) {
-        const std::size_t end = std::min(first + points_at_a_time, count);
+    std::size_t at_a_time = first_points;
+    for (std::size_t first = 0, end = 0; first < count; first = end) {
+        end = std::min(first + at_a_time, count);
+        const auto began = std::chrono::steady_clock::now();
         tbb::parallel_for(first, end, [&](std::size_t k) { values[k] = at(k); });
         if (go_on_ && !go_on_()) {
             values.resize(end);
             break;
         }
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+        at_a_time = took.count() < seconds_between ? std::min(2 * at_a_time, most_points)
+                                                   : std::max(at_a_time / 2, fewest_points);
     }
     return values;
 }
