@@ -18,33 +18,31 @@ struct TrianglePick {
     std::vector<double> chance;
 };
 
-/// Of the points 30 % fall by area, as many where it is bright, as many where it is steep, and 10 %
-/// on all objects alike: on a small one close to a lamp there may be much that is missed.
-TrianglePick make_pick(const Scene& scene, const VertexGather& gather, const TreeDisplay& shown) {
+/// Of the points 30 % fall by area, as many where what is sent back of `arriving` is bright, as
+/// many where it is steep, for there the most may be missed; 10 % on all objects alike.
+TrianglePick make_pick(const Scene& scene, const VertexGather& gather, const TreeDisplay& shown,
+                       const std::vector<Rgb>& arriving) {
     constexpr std::array<double, 4> share{0.3, 0.3, 0.3, 0.1};
     TrianglePick pick;
     std::vector<std::array<double, 4>> by(shown.display.triangles.size());
     std::array<double, 4> sum{};
     std::vector<double> of_object(scene.objects.size(), 0.0);  // area [m²]
-    const auto object = [&](std::size_t t) {
-        return scene.surfaces[gather.surface_of(shown.display.patch[t])].object;
-    };
-    const auto level = [&](std::uint32_t v) {
-        const Rgb direct =
-            shown.arriving.direct.empty() ? Rgb(Rgb::Zero()) : shown.arriving.direct[v];
-        return luminance(direct + shown.arriving.indirect[v]);
+    const auto surface = [&](std::size_t t) -> const Surface& {
+        return scene.surfaces[gather.surface_of(shown.display.patch[t])];
     };
     for (std::size_t t = 0; t < by.size(); ++t) {
         const auto [a, b, c] = shown.display.triangles[t];
         const auto& p = shown.display.positions;
+        const Rgb& reflectance = scene.materials[surface(t).material].reflectance;
+        const auto level = [&](std::uint32_t v) { return luminance(reflectance * arriving[v]); };
         pick.area.push_back(0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm());
         const auto [low, high] = std::minmax({level(a), level(b), level(c)});
         by[t] = {pick.area[t], pick.area[t] * high * high,
                  pick.area[t] * (high - low) * (high - low), 0.0};
-        of_object[object(t)] += pick.area[t];
+        of_object[surface(t).object] += pick.area[t];
     }
     for (std::size_t t = 0; t < by.size(); ++t) {
-        const double whole = of_object[object(t)];
+        const double whole = of_object[surface(t).object];
         by[t][3] = whole > 0.0 ? pick.area[t] / whole : 0.0;
         for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += by[t][k];
     }
@@ -86,12 +84,11 @@ struct Checker {
     const TreeDisplay& shown;
     const VertexGather& gather;
     std::uint64_t seed;
-    TrianglePick pick;
 
     std::uint64_t key(std::size_t k, std::uint64_t use) const { return mix(seed, 8 * k + use); }
 
     /// Number k of n, stratified along the cumulated chance.
-    CheckPoint point(std::size_t k, std::size_t n) const {
+    CheckPoint point(const TrianglePick& pick, std::size_t k, std::size_t n) const {
         const double at = (static_cast<double>(k) + unit(key(k, 0))) / static_cast<double>(n);
         const auto found = std::upper_bound(pick.cumulative.begin(), pick.cumulative.end(), at);
         CheckPoint point;
@@ -127,8 +124,9 @@ struct Checker {
         std::vector<ObjectIndex> objects(n);
         std::vector<PatchIndex> patches(n);
         std::vector<Rgb> missing(n);
+        const TrianglePick pick = make_pick(scene, gather, shown, values);
         tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
-            const CheckPoint checked = point(k, n);
+            const CheckPoint checked = point(pick, k, n);
             const Rgb value = shown_at(checked, values);
             std::array<double, 2> miss{};
             missing[k] = Rgb::Zero();
@@ -209,7 +207,7 @@ CheckReport check_display(const Scene& scene, const TreeDisplay& shown, const Ve
     report.of_object.resize(scene.objects.size());
     for (std::vector<Rgb>& missing : report.missing) missing.assign(patches, Rgb::Zero());
     if (shown.display.triangles.empty()) return report;
-    const Checker checker{scene, shown, gather, seed, make_pick(scene, gather, shown)};
+    const Checker checker{scene, shown, gather, seed};
     const auto direct = [&](const GatherPoint& point, std::uint64_t key) {
         return gather.gather().direct(point, effort.direct, key).irradiance;
     };
