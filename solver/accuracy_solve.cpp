@@ -21,12 +21,13 @@ namespace {
 
 constexpr double coarser = 2.0;  // times the target, in rounds that tell what the last ones need
 constexpr double settled = 0.5;  // of the target: changes that need no further round
-constexpr double one_round = 0.015;     // targets from here on need no rounds before
-constexpr double still_settling = 0.7;  // of the error before: rounds still bring it down
-constexpr double direct_noise = 0.25;   // of the target, that samples of lamps leave
-constexpr double balanced = 0.02;       // of the target, that may be missing of the energy
-constexpr double for_tolerance = 0.4;   // of the target, that the coarse solution may leave
-constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
+constexpr double one_round = 0.015;      // targets from here on need no rounds before
+constexpr double still_settling = 0.7;   // of the error before: rounds still bring it down
+constexpr double direct_noise = 0.25;    // of the target, that samples of lamps leave
+constexpr double balanced = 0.02;        // of the target, that may be missing of the energy
+constexpr double usually_missing = 0.3;  // of the target, as estimates are about three times errors
+constexpr double for_tolerance = 0.4;    // of the target, that the coarse solution may leave
+constexpr int most_contradictions = 1;   // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 /// Of a time limit: what is left when gathering ends is for check points, particles, and the rest.
@@ -103,6 +104,7 @@ EnergyAim AccuracySolve::energy_aim() const {
     const auto is_some = [](double s) { return s > 0.0; };
     EnergyAim aim;
     aim.balanced = balanced * target_;
+    aim.likely = usually_missing * target_;
     if (solution_.form_factors.open || std::any_of(backs_.begin(), backs_.end(), is_some))
         aim.outside_rays = static_cast<std::size_t>(
             std::clamp(std::pow(0.5 / (0.4 * target_), 2), 4096.0, 262144.0));

@@ -11,20 +11,21 @@ namespace {
 
 constexpr int most_balances = 3;  // each leaves what patches' means do not show of the one before
 
-/// Of a number with noise, what is more likely the number than the noise [1].
-Rgb trusted(const Rgb& missing, const Rgb& standard_error) {
-    return (1.0 - (standard_error / missing.abs().max(1e-300)).square()).max(0.0);
+/// Of what is missing, the part that is no noise: the mean of what may be behind it, where `likely`
+/// is usually missing, or as much as is beyond three standard errors [1].
+Rgb trusted(const Rgb& missing, const Rgb& standard_error, const Rgb& likely) {
+    const Rgb noise = standard_error.square(),
+              prior = likely.square().max(missing.square() - 9.0 * noise);
+    return prior / (prior + noise).max(1e-300);
 }
 
 }  // namespace
 
 /// Light that is missing of what lamps give off, ∫ H dA in each channel, is missing of the field,
-/// and known exactly but for what rays count outside. Where it is missing is not known: it is
-/// added in proportion to the light there is, and goes round with the coarse transport.
-std::vector<Rgb> GatheredLight::evened_out(const std::vector<Rgb>& irradiance,
+/// and known but for what rays count outside. Where it is missing is not known: it is added in
+/// proportion to the light there is, and goes round with the coarse transport.
+std::vector<Rgb> GatheredLight::evened_out(const Rgb& missing, const std::vector<Rgb>& irradiance,
                                            double tolerance) const {
-    const Rgb noise = energy_.standard_error * energy_.emitted;
-    const Rgb missing = energy_.missing() * trusted(energy_.missing(), noise);
     Rgb arriving = Rgb::Zero(), sent_back = Rgb::Zero(), given_off = Rgb::Zero();
     for (PatchIndex i = 0; i < mesh_.size(); ++i) {
         const double area = mesh_.patches[i].area;
@@ -49,6 +50,7 @@ std::vector<Rgb> GatheredLight::evened_out(const std::vector<Rgb>& irradiance,
 }
 
 void GatheredLight::balance(double tolerance) {
+    Rgb unsure = Rgb::Zero();  // of what is missing [W]
     for (int times = 0;; ++times) {
         const SplitIrradiance means = patch_means(*shown_, mesh_.size());
         std::vector<Rgb> irradiance(mesh_.size());
@@ -58,9 +60,20 @@ void GatheredLight::balance(double tolerance) {
                                  measure_outside(scene_, mesh_, shown_->display, rays_,
                                                  energy_aim_.outside_rays, mix(seed_, 0x6f757473)),
                                  irradiance);
-        const double known = energy_.defect - energy_.standard_error;
-        if (times == most_balances || !(known > energy_aim_.balanced)) return;
-        const std::vector<Rgb> extra = evened_out(irradiance, tolerance);
+        if (times == 0) {
+            Rgb arriving = Rgb::Zero();
+            for (std::size_t i = 0; i < irradiance.size(); ++i)
+                arriving += mesh_.patches[i].area * irradiance[i];
+            unsure = energy_.missing() *
+                     (1.0 - trusted(energy_.missing(), energy_.standard_error * energy_.emitted,
+                                    energy_aim_.likely * arriving));
+        }
+        const Rgb missing = energy_.missing() - unsure;
+        // Rays outside are others each time: what is left of a correction may be their noise.
+        const double matters = times == 0 ? energy_aim_.balanced
+                                          : std::max(energy_aim_.balanced, energy_.standard_error);
+        if (times == most_balances || (missing.abs() <= matters * energy_.emitted).all()) return;
+        const std::vector<Rgb> extra = evened_out(missing, irradiance, tolerance);
         for (std::size_t i = 0; i < extra.size(); ++i) correction_.irradiance[i] += extra[i];
         shown_ = pass_.show(correction_.irradiance);
     }

@@ -30,6 +30,7 @@ struct GatherAim {
 struct EnergyAim {
     std::size_t outside_rays = 4096;  // count what meets backs or leaves the scene
     double balanced = 1e-4;  // of the light given off: what is missing is not worth a correction
+    double likely = 1e-2;    // of the light that arrives, what a field is usually missing
 };
 
 /// The light of a scene as it is displayed, and the coarse solution behind it. Each round gathers
@@ -96,7 +97,8 @@ class GatheredLight {
     void balance(double tolerance);
     void show(const SplitIrradiance& gathered);
     void show_what_there_is(double tolerance, const CoarseTransport::Observe& observe);
-    std::vector<Rgb> evened_out(const std::vector<Rgb>& irradiance, double tolerance) const;
+    std::vector<Rgb> evened_out(const Rgb& missing, const std::vector<Rgb>& irradiance,
+                                double tolerance) const;
 
     const Scene& scene_;
     const PatchMesh& mesh_;
