@@ -176,6 +176,7 @@ void AccuracySolve::aim_closer() {
                              light_.correction(),
                              light_.read_coarsely(),
                              light_.has_gaps()};
+    light_.look_closer(measured_->checks.missed);
     const auto rays_for = [&, &noise = light_.noise()](double less) {
         return noise.rays_for(less * noise.absolute(aim_.rays), fewest_rays, most_rays);
     };

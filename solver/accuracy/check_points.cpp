@@ -62,6 +62,7 @@ TrianglePick make_pick(const Scene& scene, const VertexGather& gather, const Tre
 struct CheckPoint {
     std::size_t triangle = 0;
     std::array<double, 3> weight{};  // of its corners [1]
+    Vec3 position = Vec3::Zero();    // [m]
     GatherPoint place;
     double density = 1.0;  // of points [1/m²]
     Rgb reflectance = Rgb::Zero();
@@ -77,6 +78,19 @@ MeasuredError measure(const std::vector<double>& products) {
     for (const double product : products)
         error.variance += (product - error.square) * (product - error.square) / (n * (n - 1.0));
     return error;
+}
+
+/// Those that make up most of the sum.
+std::vector<PointMiss> telling(const std::vector<PointMiss>& misses,
+                               const std::vector<double>& products) {
+    constexpr double beyond_mean = 2.0;
+    double mean = 0.0;
+    for (const double product : products) mean += std::abs(product);
+    mean /= static_cast<double>(products.size());
+    std::vector<PointMiss> most;
+    for (std::size_t k = 0; k < misses.size(); ++k)
+        if (products[k] > beyond_mean * mean) most.push_back(misses[k]);
+    return most;
 }
 
 struct Checker {
@@ -97,12 +111,11 @@ struct Checker {
         const double root = std::sqrt(unit(key(k, 1))), v = unit(key(k, 2));
         point.weight = {1.0 - root, root * (1.0 - v), root * v};
         const auto& corners = shown.display.triangles[point.triangle];
-        Vec3 position = Vec3::Zero();
         for (std::size_t c = 0; c < 3; ++c)
-            position += point.weight[c] * shown.display.positions[corners[c]];
+            point.position += point.weight[c] * shown.display.positions[corners[c]];
         const PatchIndex patch = shown.display.patch[point.triangle];
         const Surface& surface = scene.surfaces[gather.surface_of(patch)];
-        point.place = gather.point(patch, position);
+        point.place = gather.point(patch, point.position);
         point.density = pick.chance[point.triangle] / pick.area[point.triangle];
         point.reflectance = scene.materials[surface.material].reflectance;
         point.object = surface.object;
@@ -124,19 +137,24 @@ struct Checker {
         std::vector<ObjectIndex> objects(n);
         std::vector<PatchIndex> patches(n);
         std::vector<Rgb> missing(n);
+        std::vector<PointMiss> misses(n);
         const TrianglePick pick = make_pick(scene, gather, shown, values);
         tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
             const CheckPoint checked = point(pick, k, n);
             const Rgb value = shown_at(checked, values);
             std::array<double, 2> miss{};
+            Rgb arriving = Rgb::Zero();
             missing[k] = Rgb::Zero();
             for (std::uint64_t half = 0; half < 2; ++half) {
-                const Rgb beyond = value - anew(checked.place, key(k, 3 + half));
+                const Rgb there = anew(checked.place, key(k, 3 + half)), beyond = value - there;
+                arriving += 0.5 * there;
                 miss[half] = luminance(checked.reflectance * beyond);
                 missing[k] -= 0.5 * beyond / checked.density;
             }
             products[k] = miss[0] * miss[1] / checked.density;
             means[k] = 0.5 * (miss[0] + miss[1]) / checked.density;
+            misses[k] = {shown.display.patch[checked.triangle], checked.position, miss[0] * miss[1],
+                         arriving};
             objects[k] = checked.object;
             patches[k] = shown.display.patch[checked.triangle];
         });
@@ -148,6 +166,7 @@ struct Checker {
             ++object.points;
             report.missing[k % 2][patches[k]] += 2.0 * missing[k] / all;
         }
+        report.missed = telling(misses, products);
         MeasuredError error = measure(products);
         for (const double mean : means) error.mean += mean / static_cast<double>(n);
         return error;
@@ -175,7 +194,9 @@ MeasuredError joined(const MeasuredError& a, const MeasuredError& b) {
 }  // namespace
 
 CheckReport joined(const CheckReport& a, const CheckReport& b) {
-    CheckReport both{joined(a.direct, b.direct), joined(a.indirect, b.indirect), a.of_object, {}};
+    CheckReport both{
+        joined(a.direct, b.direct), joined(a.indirect, b.indirect), a.of_object, {}, a.missed};
+    both.missed.insert(both.missed.end(), b.missed.begin(), b.missed.end());
     // An object's part is a sum over direct and indirect points, taken as alike in share.
     const int points = a.indirect.points + b.indirect.points;
     const double share = points > 0 ? static_cast<double>(a.indirect.points) / points : 1.0;

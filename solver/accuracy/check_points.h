@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/display/closer_look.h"
 #include "solver/display/tree_display.h"
 #include "solver/display/vertex_gather.h"
 
@@ -28,6 +29,7 @@ struct CheckReport {
     /// Irradiance that is missing, ∫ dA over each patch, as every other point tells it: two
     /// estimates that know nothing of each other [W].
     std::array<std::vector<Rgb>, 2> missing;
+    std::vector<PointMiss> missed;  // points that most of `indirect` is from
     double mean() const { return direct.mean + indirect.mean; }
     /// Both together: their causes are independent [W/m].
     double at_most(double standard_errors) const;
@@ -37,7 +39,7 @@ struct CheckReport {
 CheckReport joined(const CheckReport& a, const CheckReport& b);
 
 struct CheckEffort {
-    int direct_points = 2048;
+    int direct_points = 1024;
     DirectEffort direct{64, 1024};
     int indirect_points = 384;
     int rays = 2048;

@@ -1,5 +1,7 @@
 #include "solver/accuracy/shown_places.h"
 
+#include "solver/display/closer_look.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -25,20 +27,6 @@ bool ShownPlaces::is_shown(std::uint32_t element) const {
            shown_.first_triangle[element + 1] > shown_.first_triangle[element];
 }
 
-/// How far a point is from the nearest edge; below 0 outside [m].
-double ShownPlaces::inside(const TreeElement& element, const Vec3& normal, const Vec3& p) const {
-    double nearest = std::numeric_limits<double>::infinity();
-    const std::size_t n = element.corner_count();
-    for (std::size_t k = 0; k < n; ++k) {
-        const Vec3 &a = tree_.vertices()[element.vertices[k]].position,
-                   &b = tree_.vertices()[element.vertices[(k + 1) % n]].position;
-        const Vec3 along = b - a;
-        const double length = along.norm();
-        if (length > 0.0) nearest = std::min(nearest, along.cross(p - a).dot(normal) / length);
-    }
-    return nearest;
-}
-
 std::optional<ShownPlaces::Place> ShownPlaces::find(SurfaceIndex s,
                                                     const RayPoint& position) const {
     const PatchIndex patch = locator_.find(s, position.x(), position.y(), position.z());
@@ -47,16 +35,9 @@ std::optional<ShownPlaces::Place> ShownPlaces::find(SurfaceIndex s,
     const Vec3& normal = scene_.surfaces[s].normal;
     const Vec3 p = rays_.from_ray_space(position.cast<double>(), rays_.frame(s));
     while (!is_shown(e)) {
-        const std::uint32_t first = tree_.elements()[e].first_child;
-        if (first == 0) return std::nullopt;
-        double most = -std::numeric_limits<double>::infinity();
-        for (std::uint32_t child = first; child < first + 4 && most < 0.0; ++child) {
-            const double depth = inside(tree_.elements()[child], normal, p);
-            if (!(depth > most)) continue;
-            most = depth;
-            e = child;
-        }
-        if (e < first) return std::nullopt;
+        if (tree_.elements()[e].is_leaf()) return std::nullopt;
+        e = child_at(tree_, tree_.elements()[e], normal, p);
+        if (e == RefinementTree::none) return std::nullopt;
     }
     std::optional<Place> best;
     double deepest = -std::numeric_limits<double>::infinity();

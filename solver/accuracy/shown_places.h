@@ -28,7 +28,6 @@ class ShownPlaces {
 
   private:
     bool is_shown(std::uint32_t element) const;
-    double inside(const TreeElement& element, const Vec3& normal, const Vec3& p) const;
 
     const Scene& scene_;
     const RayScene& rays_;

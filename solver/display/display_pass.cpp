@@ -69,7 +69,8 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
       points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
       near_lights_(scene, mesh, rays, gather_.sources(), gather_.gaps()),
       spots_(scene, mesh, rays, gather_.sources(), gather_.gaps().all(), seed),
-      tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))) {
+      tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))),
+      closer_(scene, mesh, tree_) {
     restart_direct();
     restart_indirect();
     for (const Patch& patch : mesh.patches) {
@@ -100,6 +101,10 @@ bool DisplayPass::refine_direct(const Aim& aim, const DirectEffort& effort) {
 
 void DisplayPass::restart_direct() { direct_.emplace(tree_.vertices().size()); }
 
+void DisplayPass::look_closer(std::span<const PointMiss> indirect) {
+    closer_.add(tree_, indirect, [&](const TreeElement& e) { return indirect_->is_cut(tree_, e); });
+}
+
 void DisplayPass::restart_indirect() {
     indirect_.emplace(tree_.vertices().size());
     indirect_rays_ = 0;
@@ -118,6 +123,8 @@ bool DisplayPass::refine_indirect(const Aim& aim, const ReflectedField& field, i
     IrradianceLayer::Rule rule;
     rule.target = aim.target;
     rule.must_cut = [&](const TreeElement& element) { return element.area > area_ / aim.elements; };
+    rule.closer = &closer_;
+    rule.follow = !closer_.empty();
     if (!indirect_->refine(tree_, weight_, rule, gather(0))) return false;
     indirect_->smooth(tree_, weight_, expected_miss * aim.target / std::sqrt(area_));
     return true;

@@ -32,6 +32,8 @@ class DisplayPass {
     /// Where vertices were gathered with fewer rays before, the rest is joined to them: with the
     /// same field.
     bool refine_indirect(const Aim& aim, const ReflectedField& field, int rays);
+    /// Where indirect light was found to be missed: gathered more closely from now on.
+    void look_closer(std::span<const PointMiss> indirect);
     /// Forget what was gathered, so that it is gathered anew.
     void restart_direct();
     void restart_indirect();
@@ -61,6 +63,7 @@ class DisplayPass {
     LightSpots spots_;
     RefinementTree tree_;
     std::optional<IrradianceLayer> direct_, indirect_;
+    CloserLook closer_;                // at indirect light
     int indirect_rays_ = 0;            // of each vertex so far
     std::size_t direct_gathered_ = 0;  // vertices, at most so far
     double area_ = 0.0;                // of what is not covered [m²]

@@ -119,6 +119,28 @@ void IrradianceLayer::add_children(const RefinementTree& tree, std::uint32_t ele
     }
 }
 
+bool IrradianceLayer::is_cut(const RefinementTree& tree, const TreeElement& element) const {
+    for (std::uint32_t k = 0; k < 4; ++k)
+        for (const std::uint32_t v : tree.elements()[element.first_child + k].vertices)
+            if (!known(v)) return false;
+    return true;
+}
+
+/// What points of a display were found to miss, its element is expected to miss.
+void IrradianceLayer::look_closer(const RefinementTree& tree, const CloserLook& closer) {
+    constexpr std::uint32_t none = RefinementTree::none;
+    std::vector<std::uint32_t> number(tree.elements().size(), none);
+    for (std::uint32_t k = 0; k < leaves_.size(); ++k) number[leaves_[k].element] = k;
+    closer.each(
+        tree, value_, [&](std::uint32_t e) { return number[e] != none; },
+        [&](std::uint32_t e, double square) {
+            Leaf& leaf = leaves_[number[e]];
+            const double miss = square * tree.elements()[e].area;
+            leaf.miss = std::max(leaf.miss, miss);
+            leaf.sure = std::max(leaf.sure, miss);
+        });
+}
+
 /// An edge of a shadow that was found in one element goes on in those beside it.
 void IrradianceLayer::follow_neighbours(const RefinementTree& tree, const Rule& rule,
                                         std::vector<std::uint32_t>& marked,
@@ -179,6 +201,7 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
     };
     int follows = rule.follow ? most_follows : 0;
     for (;;) {
+        if (rule.closer && !rule.closer->empty()) look_closer(tree, *rule.closer);
         double total = 0.0;
         for (const Leaf& leaf : leaves_) total += leaf.miss;
         expected_miss_ = std::sqrt(std::max(0.0, total));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/display/refinement_tree.h"
+#include "solver/display/closer_look.h"
 #include "solver/scene/scene.h"
 
 #include <cstdint>
@@ -29,6 +29,7 @@ class IrradianceLayer {
         std::function<bool(const TreeElement&)> must_cut = [](const TreeElement&) { return false; };
         bool follow = false;  // look, too, where an element beside was cut twice as fine
         std::size_t most_vertices = 2'000'000;
+        const CloserLook* closer = nullptr;  // where something was missed that vertices do not show
     };
 
     explicit IrradianceLayer(std::size_t vertices)
@@ -48,6 +49,8 @@ class IrradianceLayer {
     void smooth(const RefinementTree& tree, const std::vector<Rgb>& reflectance, double least_miss);
     /// The value at every vertex of the tree: interpolated where none was gathered.
     std::vector<Rgb> at_all(const RefinementTree& tree) const;
+    /// Whether a split element of the tree is split in this layer.
+    bool is_cut(const RefinementTree& tree, const TreeElement& element) const;
     bool known(std::uint32_t vertex) const { return vertex < known_.size() && known_[vertex]; }
     std::size_t gathered() const { return gathered_; }
     /// What is expected to be missed yet, √∫ Y² dA [W/m].
@@ -69,6 +72,7 @@ class IrradianceLayer {
     double root_miss(const TreeElement& element, const Rgb& reflectance) const;
     void add_children(const RefinementTree& tree, std::uint32_t element, const Rgb& reflectance,
                       std::vector<Leaf>& leaves) const;
+    void look_closer(const RefinementTree& tree, const CloserLook& closer);
     void follow_neighbours(const RefinementTree& tree, const Rule& rule,
                            std::vector<std::uint32_t>& marked, std::vector<Leaf>& kept) const;
     struct Miss {

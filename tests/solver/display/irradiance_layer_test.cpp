@@ -73,6 +73,46 @@ void show_bends(RefinementTree& tree) {
             tree.split(e);
 }
 
+TEST(IrradianceLayer, FollowsARidgeThatOnlyPointsBetweenItsVerticesTold) {
+    const auto f = [](double, double y) {
+        return 1.0 + 5.0 * std::exp(-std::pow((y - 0.33) / 0.012, 2));
+    };
+    Square square;
+    IrradianceLayer layer(square.tree.vertices().size());
+    IrradianceLayer::Rule rule;
+    rule.target = 0.1;
+    const auto gather = gatherer(square.tree, f);
+    ASSERT_TRUE(layer.refine(square.tree, square.reflectance, rule, gather));
+    const auto peak_at = [&](double x) {  // the most that is shown near x on the ridge
+        const std::vector<Rgb> values = layer.at_all(square.tree);
+        double most = 0.0;
+        for (std::size_t v = 0; v < values.size(); ++v)
+            if (std::abs(square.tree.vertices()[v].position.x() - x) < 0.07)
+                most = std::max(most, values[v][0]);
+        return most;
+    };
+    ASSERT_LT(peak_at(0.5), 2.0) << "the ridge lies between vertices";
+    CloserLook closer(square.pieces.scene, square.pieces.mesh, square.tree);
+    std::vector<PointMiss> points;
+    for (const double x : {0.1, 0.4, 0.6, 0.9})
+        points.push_back(
+            {square.pieces.mesh.first_of_surface[0], Vec3(x, 0.33, 0), 6.25, Rgb::Constant(6.0)});
+    for (PointMiss& point : points) {  // the patch it is in
+        for (PatchIndex i = 0; i < square.pieces.mesh.size(); ++i)
+            if ((square.pieces.mesh.patches[i].centre - point.position).cwiseAbs().maxCoeff() <=
+                0.25)
+                point.patch = i;
+    }
+    closer.add(square.tree, points,
+               [&](const TreeElement& element) { return layer.is_cut(square.tree, element); });
+    rule.closer = &closer;
+    rule.follow = true;
+    const std::size_t before = layer.gathered();
+    ASSERT_TRUE(layer.refine(square.tree, square.reflectance, rule, gather));
+    for (const double x : {0.1, 0.5, 0.9}) EXPECT_GT(peak_at(x), 2.0) << x;
+    EXPECT_LT(layer.gathered(), before + 1000) << "about the ridge alone";
+}
+
 TEST(IrradianceLayer, ReachesItsTargetOnASmoothField) {
     const auto f = [](double x, double y) { return 1.0 + std::exp(-8.0 * (x * x + y * y)); };
     for (const double target : {1e-2, 1e-3, 1e-4}) {
