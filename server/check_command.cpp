@@ -3,6 +3,7 @@
 #include "server/misplaced_things.h"
 #include "server/scene_file.h"
 #include "server/summary.h"
+#include "solver/foretell_time.h"
 #include "solver/solve_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,8 @@ int CheckCommand::run() const {
     settings_.naming_culprit(shown_path(scene_),
                              [&] { cost = estimate_cost(job.scene, job.settings); });
     const Scene& scene = job.scene;
+    const double seconds =
+        cost.memory > cost.memory_limit ? cost.seconds : foretell_seconds(job.scene, job.settings);
     std::vector<Finding> findings = find_flaws(scene, job.settings);
     for (Finding& finding : find_misplaced(job).findings) findings.push_back(std::move(finding));
     std::cout << "scene:     objects " << scene.objects.size() << ", polygons "
@@ -42,7 +45,7 @@ int CheckCommand::run() const {
                       ? ", over the limit of " + memory_text(static_cast<double>(cost.memory_limit))
                       : "")
               << "\n"
-              << "time:      about " << rounded(cost.seconds) << " s on two cores\n"
+              << "time:      about " << rounded(seconds) << " s on this machine\n"
               << finding_lines(findings);
     return 0;
 }
