@@ -173,6 +173,7 @@ void AccuracySolve::aim_closer() {
                              over_norm * pass.indirect_noise(),
                              over_norm * pass.indirect().expected_miss(),
                              over_norm * pass.direct_noise(),
+                             over_norm * pass.direct().expected_miss(),
                              light_.correction(),
                              light_.read_coarsely(),
                              light_.has_gaps()};

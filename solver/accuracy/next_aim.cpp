@@ -92,9 +92,12 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
         aim.effort.most = std::min(times_most * aim.effort.most, most_most);
         aim.direct_anew = true;
     } else if (scale(0) < 1.0) {
-        // Beside gaps every other time, as there may be what samples did not find.
-        aim.direct_anew = errors.has_gaps && std::exchange(direct_missed_, !direct_missed_) &&
-                          aim.effort.first < most_first;
+        // Samples may agree by chance where something small shades, and vertices do not find it.
+        // Beside gaps every other time.
+        const bool by_samples =
+            errors.direct > unexplained * std::hypot(errors.direct_noise, errors.direct_bent);
+        const bool may_be = errors.has_gaps && std::exchange(direct_missed_, !direct_missed_);
+        aim.direct_anew = (may_be || by_samples) && aim.effort.first < most_first;
         if (aim.direct_anew)
             aim.effort.first = std::min(times_first * aim.effort.first, most_first);
         else

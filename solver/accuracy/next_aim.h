@@ -18,6 +18,7 @@ struct RoundErrors {
     double direct = 0.0, indirect = 0.0;  // measured at check points
     double noise = 0.0, bent = 0.0;       // of `indirect`, what rays and interpolation explain
     double direct_noise = 0.0;            // of `direct`, what samples of lamps explain
+    double direct_bent = 0.0;             // of `direct`, what interpolation explains
     double correction = 0.0;              // what the round changed
     bool read_coarse = false;             // rays read a solution coarser than what they gathered
     bool has_gaps = false;                // that samples of lamps may not find
