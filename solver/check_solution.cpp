@@ -40,22 +40,15 @@ void check_solution(const SolveStage& stage, const MeshLines& lines) {
     // What rays read: all that is displayed but the sources that are gathered from one by one.
     std::vector<bool> listed(scene.surfaces.size(), false);
     for (const LightSource& source : gather.sources()) listed[source.surface] = true;
-    std::vector<Rgb> read = solution.display.radiosity;
-    std::vector<bool> done(read.size(), false);
-    for (std::size_t t = 0; t < solution.display.triangles.size(); ++t) {
-        const Surface& surface =
-            scene.surfaces[solution.mesh.patches[solution.display.patch[t]].surface];
-        if (!listed[points.surface_of(solution.display.patch[t])]) continue;
-        for (const std::uint32_t v : solution.display.triangles[t]) {
-            if (!done[v]) read[v] = (read[v] - scene.materials[surface.material].exitance).max(0.0);
-            done[v] = true;
-        }
-    }
+    const std::vector<Rgb> exitance = exitances(scene, solution.mesh);
+    std::vector<Rgb> without(solution.mesh.size(), Rgb::Zero());
+    for (PatchIndex i = 0; i < solution.mesh.size(); ++i)
+        if (listed[points.surface_of(i)]) without[i] = exitance[i];
     const ReflectedField field(scene, solution.mesh, stage.rays, locator,
-                               FieldTable(solution.mesh, solution.display, stage.rays, read));
+                               FieldTable(solution.mesh, solution.display, stage.rays,
+                                          solution.display.radiosity, without));
     TreeDisplay shown{solution.display, {{}, vertex_irradiance(scene, solution)}};
     std::vector<Rgb> reflected = solution.radiosity;
-    const std::vector<Rgb> exitance = exitances(scene, solution.mesh);
     for (std::size_t i = 0; i < reflected.size(); ++i) reflected[i] -= exitance[i];
     const ReflectedLight light = measure_reflected(scene, solution.mesh, reflected,
                                                    once_arriving(solution.mesh, points, seed));

@@ -159,15 +159,7 @@ SplitIrradiance GatheredLight::means_of(const TreeDisplay& shown) const {
 
 /// What is displayed, without the sources that are gathered from one by one.
 FieldTable GatheredLight::table_of(const TreeDisplay& shown) const {
-    std::vector<Rgb> values = shown.display.radiosity;
-    std::vector<bool> done(values.size(), false);
-    for (std::size_t t = 0; t < shown.display.triangles.size(); ++t)
-        for (const std::uint32_t v : shown.display.triangles[t]) {
-            if (done[v]) continue;
-            done[v] = true;
-            values[v] = (values[v] - listed_exitance_[shown.display.patch[t]]).max(0.0);
-        }
-    return {mesh_, shown.display, rays_, values};
+    return {mesh_, shown.display, rays_, shown.display.radiosity, listed_exitance_};
 }
 
 std::shared_ptr<const ReflectedField> GatheredLight::make_field(FieldTable table) const {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace patchlight {
 
@@ -39,14 +40,34 @@ std::vector<std::vector<std::uint32_t>> by_patch(const DisplayMesh& display, std
     return triangles;
 }
 
-struct Axes {  // of a patch: (p - origin)·u counts cells along its first edge, ·v along its last
+/// Of the parallelogram about a patch, along its first edge and its last: (p - origin)·u counts
+/// cells along the one, ·v along the other.
+struct Axes {
     Vec3 origin, e1, e2, u, v;
+    bool is_skew = false;  // the patch does not fill it, and is no triangle
 
     Axes(const PatchMesh& mesh, PatchIndex i, std::size_t count) {
         const Patch& patch = mesh.patches[i];
         origin = mesh.vertices[patch.vertices[0]];
         e1 = mesh.vertices[patch.vertices[1]] - origin;
         e2 = mesh.vertices[patch.vertices[patch.corner_count() - 1]] - origin;
+        set_scale(1);
+        if (!patch.is_triangle()) {
+            Vec2 low = Vec2::Zero(), high = Vec2::Ones();
+            const Vec2 opposite = at(mesh.vertices[patch.vertices[2]]);
+            constexpr double rounding = 1e-6;
+            is_skew = (opposite - high).cwiseAbs().maxCoeff() > rounding;
+            if (is_skew) {
+                low = low.cwiseMin(opposite);
+                high = high.cwiseMax(opposite);
+                origin += low.x() * e1 + low.y() * e2;
+                e1 *= high.x() - low.x();
+                e2 *= high.y() - low.y();
+            }
+        }
+        set_scale(count);
+    }
+    void set_scale(std::size_t count) {
         const double g11 = e1.dot(e1), g12 = e1.dot(e2), g22 = e2.dot(e2);
         const double det = g11 * g22 - g12 * g12;
         const double scale = det > 0.0 ? static_cast<double>(count) / det : 0.0;
@@ -94,20 +115,36 @@ struct FieldTable::Filler {
         if (!any) add((p[0] + p[1] + p[2]) / 3.0, (value[0] + value[1] + value[2]) / 3.0, twice);
     }
 
-    /// Cells beyond a triangle's long edge are looked up by rounding: they hold what is before.
+    /// Cells whose middles lie beside the patch are looked up at its edges: they hold what the
+    /// nearest of their row do, rows without any what a row beside does.
     void write(std::array<float, 3>* cells) const {
-        std::array<float, 3> last{};
-        for (std::size_t c = 0; c < sum.size(); ++c) {
-            if (sum[c][3] > 0.0)
+        std::size_t empty_rows = 0;  // at the beginning
+        for (std::size_t row = 0; row < count; ++row) {
+            std::array<float, 3>* of_row = cells + row * count;
+            std::optional<std::size_t> last;
+            for (std::size_t c = 0; c < count; ++c) {
+                const std::array<double, 4>& entry = sum[row * count + c];
+                if (!(entry[3] > 0.0)) continue;
                 for (std::size_t k = 0; k < 3; ++k)
-                    last[k] = static_cast<float>(sum[c][k] / sum[c][3]);
-            cells[c] = last;
+                    of_row[c][k] = static_cast<float>(entry[k] / entry[3]);
+                for (std::size_t empty = last ? *last + 1 : 0; empty < c; ++empty)
+                    of_row[empty] = of_row[last && 2 * empty < *last + c ? *last : c];
+                last = c;
+            }
+            if (last)
+                std::fill(of_row + *last, of_row + count, of_row[*last]);
+            else if (row > empty_rows)
+                std::copy(of_row - count, of_row, of_row);
+            else
+                ++empty_rows;
         }
+        for (std::size_t row = empty_rows; row-- > 0 && empty_rows < count;)
+            std::copy(cells + (row + 1) * count, cells + (row + 2) * count, cells + row * count);
     }
 };
 
 FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const RayScene& rays,
-                       const std::vector<Rgb>& values)
+                       const std::vector<Rgb>& values, const std::vector<Rgb>& without)
     : mesh_(mesh), rays_(rays), frames_(mesh.size()) {
     const std::vector<std::size_t> count = cells_along(mesh, display);
     std::vector<Axes> axes;
@@ -124,6 +161,13 @@ FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const 
                       v.x(), v.y(), v.z(), cells, count[i]};
         edges_.push_back({o, (rays.scale() * axes[i].e1).cast<float>(),
                           (rays.scale() * axes[i].e2).cast<float>()});
+        if (axes[i].is_skew) {
+            Outline& outline = outlines_[i];
+            for (std::size_t k = 0; k < outline.size(); ++k)
+                outline[k] = (axes[i].at(mesh.vertices[mesh.patches[i].vertices[k]]) /
+                              static_cast<double>(count[i]))
+                                 .cast<float>();
+        }
         cells += count[i] * count[i];
     }
     cells_.resize(cells);
@@ -131,11 +175,15 @@ FieldTable::FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const 
     tbb::parallel_for(std::size_t{0}, mesh.size(), [&](std::size_t i) {
         Filler filler{count[i]};
         filler.sum.resize(count[i] * count[i]);
+        const Rgb less = without.empty() ? Rgb(Rgb::Zero()) : without[i];
+        const auto value = [&](std::uint32_t v) {
+            return without.empty() ? values[v] : Rgb((values[v] - less).max(0.0));
+        };
         for (const std::uint32_t t : triangles[i]) {
             const auto [a, b, c] = display.triangles[t];
             filler.add_triangle({axes[i].at(display.positions[a]), axes[i].at(display.positions[b]),
                                  axes[i].at(display.positions[c])},
-                                {values[a], values[b], values[c]});
+                                {value(a), value(b), value(c)});
         }
         filler.write(&cells_[frames_[i].first]);
     });
@@ -155,15 +203,25 @@ void FieldTable::add_linear(PatchIndex i, const Rgb& value, const Eigen::Matrix3
     }
 }
 
+bool FieldTable::is_on_patch(PatchIndex i, float u, float v) const {
+    if (mesh_.patches[i].is_triangle()) return u + v <= 1.0f;
+    const auto found = outlines_.find(i);
+    if (found == outlines_.end()) return true;
+    const Outline& outline = found->second;
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Eigen::Vector2f &a = outline[k], along = outline[(k + 1) % outline.size()] - a;
+        if (along.x() * (v - a.y()) - along.y() * (u - a.x()) < 0.0f) return false;
+    }
+    return true;
+}
+
 FieldTable::Spot FieldTable::spot(PatchIndex i, std::size_t cell, float u, float v) const {
     const std::size_t count = frames_[i].count, number = cell - frames_[i].first;
     const auto along = static_cast<float>(count);
     const Edges& edges = edges_[i];
-    Spot spot;
-    spot.u = (static_cast<float>(number % count) + u) / along;
-    spot.v = (static_cast<float>(number / count) + v) / along;
-    spot.position = edges.origin + spot.u * edges.first + spot.v * edges.last;
-    return spot;
+    const float a = (static_cast<float>(number % count) + u) / along,
+                b = (static_cast<float>(number / count) + v) / along;
+    return {edges.origin + a * edges.first + b * edges.last, is_on_patch(i, a, b)};
 }
 
 }  // namespace patchlight

@@ -5,6 +5,7 @@
 #include "solver/solution.h"
 
 #include <array>
+#include <unordered_map>
 #include <vector>
 
 namespace patchlight {
@@ -13,9 +14,10 @@ namespace patchlight {
 /// fine as shadows are, where patches are not, and finer where the display is.
 class FieldTable {
   public:
-    /// `values` at the display's vertices.
+    /// `values` at the display's vertices, less what each patch is `without`, but not below 0; or
+    /// nothing. Patches that share a vertex may be without different things.
     FieldTable(const PatchMesh& mesh, const DisplayMesh& display, const RayScene& rays,
-               const std::vector<Rgb>& values);
+               const std::vector<Rgb>& values, const std::vector<Rgb>& without = {});
 
     /// Adds a linear function to the cells of a patch: its value at the centroid and its slope,
     /// rows channels, columns world axes [1/m].
@@ -42,10 +44,10 @@ class FieldTable {
     double cell_area(PatchIndex i) const { return areas_[i]; }
 
     struct Spot {
-        RayPoint position;         // [ray space]
-        float u = 0.0f, v = 0.0f;  // along the patch's edges [1]
+        RayPoint position;     // [ray space]
+        bool on_patch = true;  // false: of the cell's part that lies beside it
     };
-    /// A point of a cell from two numbers in [0, 1).
+    /// A point of a cell from two numbers in [0, 1). Cells fill the parallelogram about the patch.
     Spot spot(PatchIndex i, std::size_t cell, float u, float v) const;
 
   private:
@@ -53,9 +55,11 @@ class FieldTable {
         float ox = 0, oy = 0, oz = 0, ux = 0, uy = 0, uz = 0, vx = 0, vy = 0, vz = 0;
         std::size_t first = 0, count = 1;  // cells, and how many along each direction
     };
-    struct Edges {  // of a patch, from its first corner [ray space]
+    struct Edges {  // of the cells of a patch, from one corner [ray space]
         RayPoint origin, first, last;
     };
+    using Outline = std::array<Eigen::Vector2f, 4>;  // corners along these edges [1]
+    bool is_on_patch(PatchIndex i, float u, float v) const;
     struct Filler;
     /// Of what lies far off a needle, or nowhere, too.
     static std::size_t row(float u, std::size_t count) {
@@ -68,6 +72,7 @@ class FieldTable {
     const RayScene& rays_;
     std::vector<Frame> frames_;
     std::vector<Edges> edges_;
+    std::unordered_map<PatchIndex, Outline> outlines_;  // of quads that are no parallelograms
     std::vector<double> areas_;
     std::vector<std::array<float, 3>> cells_;
 };

@@ -108,7 +108,7 @@ ReflectedField::Sample ReflectedField::sample(float pick, float u, float v) cons
     sample.frame = rays_.frame(s);
     sample.position = spot.position + rays_.lift(s) * sample.normal;
     sample.seen = seen(found.cell);
-    sample.on_patch = spot.u + spot.v <= 1.0f || !mesh_.patches[found.patch].is_triangle();
+    sample.on_patch = spot.on_patch;
     return sample;
 }
 

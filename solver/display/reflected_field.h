@@ -39,7 +39,7 @@ class ReflectedField {
         RayPoint normal;
         FrameIndex frame = 0;  // of `position`
         Seen seen;
-        bool on_patch = true;  // false: beside a triangle; counts as unseen
+        bool on_patch = true;  // false: beside its patch; counts as unseen
     };
     /// A point of the excess with the density `seen` tells, from three numbers in [0, 1).
     Sample sample(float pick, float u, float v) const;

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace patchlight::field_table_test {
 namespace {
 
@@ -14,7 +17,7 @@ const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
 Rgb linear(const Vec3& p) { return {5.0 + p.x() - 2.0 * p.y(), 7.0 + p.y(), 3.0 - p.x()}; }
 
 /// A polygon in one patch, shown by an n x n grid of squares in two triangles each, or by itself
-/// if it is a triangle.
+/// if it is a triangle or n is 0.
 struct Shown {
     CutScene pieces;
     RayScene rays;
@@ -23,9 +26,10 @@ struct Shown {
 
     explicit Shown(const Polygon& polygon, std::uint32_t n = 1)
         : pieces(cut(scene_of(polygon), 9.0)), rays(pieces.scene, pieces.lines.overlaps) {
-        if (polygon.size() == 3) {
+        if (polygon.size() == 3 || n == 0) {
             for (const Vec3& corner : polygon) add(corner);
             display.triangles = {{0, 1, 2}};
+            if (polygon.size() == 4) display.triangles.push_back({0, 2, 3});
         } else {
             const auto number = [n](std::uint32_t i, std::uint32_t j) { return j * (n + 1) + i; };
             for (std::uint32_t j = 0; j <= n; ++j)
@@ -52,7 +56,7 @@ struct Shown {
         double worst = 0.0;
         for (std::size_t c = table.first_cell(0); c < table.end_cell(0); ++c) {
             const FieldTable::Spot spot = table.spot(0, c, 0.5f, 0.5f);
-            if (pieces.mesh.patches[0].is_triangle() && spot.u + spot.v > 1.0f) continue;
+            if (pieces.mesh.patches[0].is_triangle() && !spot.on_patch) continue;
             const Rgb expected = linear(rays.from_ray_space(spot.position.cast<double>())) + more;
             for (std::size_t k = 0; k < 3; ++k)
                 worst = std::max(worst, std::abs(static_cast<double>(table.value(c)[k]) -
@@ -71,6 +75,33 @@ TEST(FieldTable, HoldsTheFieldInTheMiddleOfItsCells) {
     }
     const Shown triangle(flat({{0, 0}, {1, 0}, {0.3, 0.9}}));
     EXPECT_LT(triangle.worst(triangle.table()), rounding);
+}
+
+TEST(FieldTable, ATrapezoidIsFilledWholeAndSampledByArea) {
+    // What triangles are cut into. Points of all its cells that lie on it have its area.
+    for (const std::size_t first : {0u, 1u, 2u, 3u}) {
+        Polygon corners = flat({{0, 0}, {0.5, 0}, {1.0, 0.8}, {0, 0.8}});
+        std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first),
+                    corners.end());
+        const Shown shown(corners, 0);
+        const FieldTable table = shown.table();
+        double inside = 0.0, wrong = 0.0;
+        constexpr int n = 4;  // points of a cell, along each direction
+        for (std::size_t c = table.first_cell(0); c < table.end_cell(0); ++c)
+            for (int k = 0; k < n * n; ++k) {
+                const auto spot = table.spot(0, c, (static_cast<float>(k % n) + 0.5f) / n,
+                                             (static_cast<float>(k / n) + 0.5f) / n);
+                if (!spot.on_patch) continue;
+                inside += table.cell_area(0) / (n * n);
+                const RayPoint& at = spot.position;
+                ASSERT_EQ(table.cell(0, at.x(), at.y(), at.z()), c);
+                const Rgb expected = linear(shown.rays.from_ray_space(at.cast<double>()));
+                wrong = std::max(wrong, std::abs(double{table.value(c)[0]} - expected[0]));
+            }
+        const double scale = shown.rays.scale();
+        EXPECT_NEAR(inside / (scale * scale), 0.6, 0.006) << first;
+        EXPECT_LT(wrong, 0.25) << "within a cell or two";
+    }
 }
 
 TEST(FieldTable, IsAsFineAsTheDisplay) {
