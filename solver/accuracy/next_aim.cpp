@@ -95,6 +95,7 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
         // Samples may agree by chance where something small shades, and vertices do not find it.
         // Beside gaps every other time.
         const bool by_samples =
+            errors.direct > target_ && errors.direct_noise > errors.direct_bent &&
             errors.direct > unexplained * std::hypot(errors.direct_noise, errors.direct_bent);
         const bool may_be = errors.has_gaps && std::exchange(direct_missed_, !direct_missed_);
         aim.direct_anew = (may_be || by_samples) && aim.effort.first < most_first;
