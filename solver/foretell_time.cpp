@@ -19,7 +19,8 @@ constexpr double enough = 2.0, most = 4.0;  // seconds of trying, as it is set a
 /// times `tighter`: from 0.2, 0.08 and 0.05 to 0.02 rooms with furniture and lanterns, a sunbeam,
 /// and a city under a sky took 26 to 47, 11 to 16, and 6 to 15 times as long.
 constexpr double per_tighter = 3.5;
-constexpr double step = 2.5, loosest = 0.2;  // of accuracies that are tried
+constexpr std::size_t most_patches = 100'000;  // of more no limit ends a trial in time
+constexpr double step = 2.5, loosest = 0.2;    // of accuracies that are tried
 
 double since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -79,12 +80,14 @@ Trial try_for(const Scene& scene, SolveSettings settings, double limit) {
 double foretell_seconds(const Scene& scene, const SolveSettings& settings) {
     const Clock::time_point start = Clock::now();
     const double limit = settings.time_limit.value_or(1e300);
+    const CostEstimate cost = estimate_cost(scene, settings);
+    if (cost.patches > most_patches) return std::min(cost.seconds, limit);
     const Trial whole = try_for(scene, settings, std::min(limit, enough));
     if (whole.ended || limit <= enough) return std::min(whole.seconds, limit);
     double seconds = std::max(whole.seconds, whole.goes_on_to.value_or(0.0));
     const std::optional<double> target = plan_solve(scene, settings).settings.accuracy;
     if (!target) {
-        if (!whole.goes_on_to) seconds = std::max(seconds, estimate_cost(scene, settings).seconds);
+        if (!whole.goes_on_to) seconds = std::max(seconds, cost.seconds);
         return std::min(seconds, limit);
     }
     SolveSettings tried = settings;
