@@ -110,7 +110,8 @@ TEST(FieldTable, IsAsFineAsTheDisplay) {
 }
 
 TEST(FieldTable, FindsTheCellOfAPointAndPointsOfACell) {
-    const FieldTable table = Shown(plate).table();
+    const Shown shown(plate);
+    const FieldTable table = shown.table();
     for (std::size_t c = table.first_cell(0); c < table.end_cell(0); c += 7)
         for (const float u : {0.1f, 0.9f}) {
             const RayPoint at = table.spot(0, c, u, 1.0f - u).position;
