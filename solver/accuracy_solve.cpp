@@ -101,11 +101,10 @@ class AccuracySolve {
 
 /// What goes astray is counted to two fifths of the target, by chance alone at most.
 EnergyAim AccuracySolve::energy_aim() const {
-    const auto is_some = [](double s) { return s > 0.0; };
     EnergyAim aim;
     aim.balanced = balanced * target_;
     aim.likely = usually_missing * target_;
-    if (solution_.form_factors.open || std::any_of(backs_.begin(), backs_.end(), is_some))
+    if (solution_.form_factors.open || std::ranges::max(backs_) > 0.0)
         aim.outside_rays = static_cast<std::size_t>(
             std::clamp(std::pow(0.5 / (0.4 * target_), 2), 4096.0, 262144.0));
     return aim;
@@ -117,6 +116,7 @@ bool AccuracySolve::prepare_transport() {
     if (solution_.settings.method == Method::shooting) {
         engine_ = make_engine(stage_.scene, solution_.mesh, stage_.rays, solution_.settings,
                               [this] { return go_on(); });
+        engine_->give_up_unless([this] { return stage_.watch.in_time(); });
         transport_ = std::make_unique<ShotTransport>(*engine_, fields.area, fields.reflectance);
         const OutsideRays probe(stage_.scene, solution_.mesh, stage_.rays, probe_rays,
                                 seed(0x70726f62));
@@ -130,8 +130,7 @@ bool AccuracySolve::prepare_transport() {
         backs_ = exchange_.backs;
         escaped_ = exchange_.escaped;
     }
-    const auto is_some = [](double share) { return share > 0.0; };
-    solution_.form_factors.open = std::any_of(escaped_.begin(), escaped_.end(), is_some);
+    solution_.form_factors.open = std::ranges::max(escaped_) > 0.0;
     solution_.seconds.form_factors = stage_.watch.lap();
     return true;
 }

@@ -13,7 +13,8 @@ void measure_hemicube_errors(const SolveStage& stage) {
     if (!solution.settings.measure_error) return;
     const double before = stage.watch.seconds_so_far();
     solution.form_factors.hemicube = estimate_hemicube_errors(
-        stage.scene, solution.mesh, stage.rays, hemicube_settings(solution.settings));
+        stage.scene, solution.mesh, stage.rays, hemicube_settings(solution.settings),
+        [&] { return stage.watch.in_time(); });
     solution.seconds.measuring += stage.watch.seconds_so_far() - before;
 }
 
@@ -21,6 +22,7 @@ bool find_form_factors(const SolveStage& stage, ExchangeMatrix& exchange) {
     Solution& solution = stage.solution;
     const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings,
                                     [&] { return stage.watch.may_prepare(); });
+    engine->give_up_unless([&] { return stage.watch.in_time(); });
     StopReason stopped = StopReason::tolerance;
     exchange = build_exchange(*engine, stage.scene, solution.mesh, [&](double fraction) {
         stopped = stage.watch.step({Stage::form_factors, fraction, 0, 0.0});

@@ -49,6 +49,7 @@ DisplayHints solve_by_shooting(const SolveStage& stage) {
     Solution& solution = stage.solution;
     const auto engine = make_engine(stage.scene, solution.mesh, stage.rays, solution.settings,
                                     [&] { return stage.watch.may_prepare(); });
+    engine->give_up_unless([&] { return stage.watch.in_time(); });
     RowSource rows(*engine, solution.mesh.size(), kept_row_bytes);
     PatchFields fields = make_patch_fields(stage.scene, solution.mesh);
     const ShootingProblem problem{rows, std::move(fields.area), std::move(fields.exitance),

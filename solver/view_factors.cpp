@@ -175,28 +175,35 @@ ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFact
     report.findings = find_geometry_flaws(scene_, lines_.overlaps, rays, settings_.seed);
     const auto engine =
         make_engine(scene_, mesh_, rays, settings_, [&] { return watch.may_prepare(); });
+    const auto in_time = [&] { return watch.in_time(); };
+    engine->give_up_unless(in_time);
     if (const StopReason stopped = watch.step({Stage::form_factors});
         stopped != StopReason::tolerance) {
         report.status = status_of(stopped);
         return report;
     }
-    report.streamed = !fits(*engine, mesh_, *settings_.memory_limit);
     std::unique_ptr<FactorRows> rows;
-    if (report.streamed)
-        rows = std::make_unique<StreamedRows>(*engine, mesh_);
-    else
-        rows = keep_rows(*engine, scene_, mesh_, watch, report);
-    report.seconds.form_factors = watch.lap();
-    if (!rows) return report;
-    const Stage stage = report.streamed ? Stage::form_factors : Stage::display;
-    report.status = status_of(sum_groups(*rows, groups_, mesh_, take, [&](double fraction) {
-        return watch.step({stage, fraction});
-    }));
+    try {
+        report.streamed = !fits(*engine, mesh_, *settings_.memory_limit);
+        if (report.streamed)
+            rows = std::make_unique<StreamedRows>(*engine, mesh_);
+        else
+            rows = keep_rows(*engine, scene_, mesh_, watch, report);
+        report.seconds.form_factors = watch.lap();
+        if (!rows) return report;
+        const Stage stage = report.streamed ? Stage::form_factors : Stage::display;
+        report.status = status_of(sum_groups(*rows, groups_, mesh_, take, [&](double fraction) {
+            return watch.step({stage, fraction});
+        }));
+    } catch (const OutOfTime&) {
+        report.status = Status::limit;
+        report.seconds.form_factors += watch.lap();
+    }
     if (const auto* streamed = dynamic_cast<const StreamedRows*>(rows.get()))
         report.form_factors = report_of(*streamed);
     if (settings_.engine == Engine::hemicube && report.status == Status::converged)
         report.form_factors.hemicube =
-            estimate_hemicube_errors(scene_, mesh_, rays, hemicube_settings(settings_));
+            estimate_hemicube_errors(scene_, mesh_, rays, hemicube_settings(settings_), in_time);
     report.seconds.display = watch.lap();
     return report;
 }

@@ -37,6 +37,8 @@ class Watch {
         if (!time_limit_) return std::numeric_limits<double>::infinity();
         return share * *time_limit_ - std::chrono::duration<double>(Clock::now() - start_).count();
     }
+    /// Of the whole time limit; may be asked from several threads.
+    bool in_time() const { return seconds_left() > 0.0; }
     /// Whether work on form factors that has not come to any of them yet may go on.
     bool may_prepare() { return step({Stage::form_factors}) == StopReason::tolerance; }
 

@@ -93,7 +93,7 @@ void AnalyticEngine::refine(std::vector<VisibilityQuery>& queries) const {
         taken += more.back().count;
         places.push_back(q);
     }
-    visibility_.measure(more);
+    visibility_.measure(more, [this] { look_at_clock(); });
     for (std::size_t m = 0; m < more.size(); ++m) queries[places[m]] = more[m];
 }
 
@@ -104,6 +104,7 @@ void AnalyticEngine::whole_row(PatchIndex i, FactorRow& whole) const { fill(i, 0
 /// The columns from `first` on.
 void AnalyticEngine::fill(PatchIndex i, PatchIndex first, FactorRow& row) const {
     row.clear();
+    look_at_clock();
     const double area = mesh_.patches[i].area;
     for (PatchIndex j = first; j < mesh_.size(); ++j) {
         // One value for both ends, to the last bit.
@@ -112,7 +113,7 @@ void AnalyticEngine::fill(PatchIndex i, PatchIndex first, FactorRow& row) const 
     }
     std::vector<VisibilityQuery> queries = first_queries(row, i);
     if (queries.empty()) return;
-    visibility_.measure(queries);
+    visibility_.measure(queries, [this] { look_at_clock(); });
     refine(queries);
     std::size_t kept = 0, q = 0;
     for (std::size_t k = 0; k < row.columns.size(); ++k) {
@@ -136,6 +137,9 @@ void AnalyticEngine::fill(PatchIndex i, PatchIndex first, FactorRow& row) const 
     row.ceiling.resize(kept);
 }
 
-Outside AnalyticEngine::outside(PatchIndex i) const { return outside_rays_.at(i); }
+Outside AnalyticEngine::outside(PatchIndex i) const {
+    look_at_clock();
+    return outside_rays_.at(i);
+}
 
 }  // namespace patchlight

@@ -50,6 +50,17 @@ std::vector<bool> uncertain_rows(const ExchangeMatrix& matrix) {
     return uncertain;
 }
 
+/// False if the engine gave up, of which the observer is told so that it says why.
+bool in_time(const FractionObserver& observe, const std::function<void()>& work) {
+    try {
+        work();
+        return true;
+    } catch (const OutOfTime&) {
+        observe(1.0);
+        return false;
+    }
+}
+
 bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
                 std::vector<std::optional<Outside>>& outside, std::vector<int>& samples,
                 const FractionObserver& observe) {
@@ -64,9 +75,12 @@ bool build_rows(const FormFactorEngine& engine, ExchangeMatrix& matrix,
                 : first == 0 ? 1
                              : most_rows;
         count = std::min(std::max<std::size_t>(count, 2), n - first);
-        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
-            engine.row(static_cast<PatchIndex>(first + k), rows[k]);
+        matrix.complete = in_time(observe, [&] {
+            tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+                engine.row(static_cast<PatchIndex>(first + k), rows[k]);
+            });
         });
+        if (!matrix.complete) return false;
         for (std::size_t k = 0; k < count; ++k) {
             append(matrix, static_cast<PatchIndex>(first + k), rows[k]);
             outside[first + k] = rows[k].outside;
@@ -101,13 +115,16 @@ ExchangeMatrix build_exchange(const FormFactorEngine& engine, const Scene& scene
     std::vector<Outside> outside(mesh.size());
     const std::vector<double> sums = row_sums(matrix);
     const std::vector<bool> uncertain = uncertain_rows(matrix);
-    tbb::parallel_for(std::size_t{0}, mesh.size(), [&](std::size_t i) {
-        if (known[i])
-            outside[i] = *known[i];
-        else if (uncertain[i] ||
-                 std::abs(1.0 - sums[i]) > sums_to_one)  // else: no ray where nothing blocks
-            outside[i] = engine.outside(static_cast<PatchIndex>(i));
+    matrix.complete = in_time(observe, [&] {
+        tbb::parallel_for(std::size_t{0}, mesh.size(), [&](std::size_t i) {
+            if (known[i])
+                outside[i] = *known[i];
+            else if (uncertain[i] ||
+                     std::abs(1.0 - sums[i]) > sums_to_one)  // else: no ray where nothing blocks
+                outside[i] = engine.outside(static_cast<PatchIndex>(i));
+        });
     });
+    if (!matrix.complete) return matrix;
     set_outside(matrix, outside, make_clusters(scene, mesh, find_plane_groups(scene)), sums);
     for (std::size_t i = 0; i < mesh.size(); ++i)
         if (!known[i]) matrix.rays += outside[i].rays;

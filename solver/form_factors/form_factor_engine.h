@@ -3,7 +3,10 @@
 #include "solver/mesh/patch_mesh.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace patchlight {
@@ -43,6 +46,11 @@ struct FactorRow {
     }
 };
 
+/// Time ran out within a row.
+struct OutOfTime : std::runtime_error {
+    OutOfTime() : std::runtime_error("out of time within a row of form factors") {}
+};
+
 /// Computes form factors between patches. Const and without hidden state: rows may be asked for in
 /// any order and from several threads, and are the same bytes each time.
 class FormFactorEngine {
@@ -53,7 +61,10 @@ class FormFactorEngine {
     /// row(i) holds only the columns j > i.
     virtual bool pairwise() const = 0;
 
-    /// Row i. Throws nothing; a covered patch has an empty row.
+    /// From now on rows are given up once `in_time`, asked from several threads, is false.
+    void give_up_unless(std::function<bool()> in_time) { in_time_ = std::move(in_time); }
+
+    /// Row i; a covered patch has an empty row. Throws OutOfTime if it is given up, else nothing.
     virtual void row(PatchIndex i, FactorRow& row) const = 0;
 
     /// Row i with all its columns, for who wants no matrix. Of a pairwise engine, entries that rays
@@ -62,6 +73,15 @@ class FormFactorEngine {
 
     /// Where the light of patch i that meets no front goes; asked for where a row does not say.
     virtual Outside outside(PatchIndex i) const = 0;
+
+  protected:
+    /// To be called every tenth of a second or so. Throws OutOfTime.
+    void look_at_clock() const {
+        if (in_time_ && !in_time_()) throw OutOfTime();
+    }
+
+  private:
+    std::function<bool()> in_time_;
 };
 
 }  // namespace patchlight

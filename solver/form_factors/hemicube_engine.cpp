@@ -16,6 +16,7 @@ namespace {
 
 constexpr int most_sub_samples = 4;
 constexpr int least_resolution = 16;
+constexpr std::size_t cells_between_looks = std::size_t{1} << 20;  // at the clock
 /// k² parts leave a proximity error of about (edge / distance)² / (3 k²), measured on facing
 /// squares and corners: so many times edge / distance leave two percent.
 constexpr double parts_by_nearness = 4.0;
@@ -126,8 +127,10 @@ HemicubeEngine::Tally HemicubeEngine::look(PatchIndex i, int k) const {
     tally.nearest = std::numeric_limits<double>::infinity();
     const double part_share = 1.0 / (k * k);
     HemicubeView view(hemicube_scene_, cells_for(k), ray_scene_);
+    std::size_t seen = 0;
     for (int part = 0; part < k * k; ++part)
         tally.rays += view.look(pose(i, k, part), [&](double share, const HemicubeSight* sight) {
+            if (seen++ % cells_between_looks == 0) look_at_clock();
             const double weighted = share * part_share;
             if (!sight) {
                 tally.escaped += weighted;

@@ -90,17 +90,21 @@ struct Bench {  // what the sample is measured with
 
 }  // namespace
 
-HemicubeErrors estimate_hemicube_errors(const Scene& scene, const PatchMesh& mesh,
-                                        const RayScene& ray_scene,
-                                        const HemicubeSettings& settings) {
+std::optional<HemicubeErrors> estimate_hemicube_errors(const Scene& scene, const PatchMesh& mesh,
+                                                       const RayScene& ray_scene,
+                                                       const HemicubeSettings& settings,
+                                                       const std::function<bool()>& in_time) {
     HemicubeSettings turned = settings;
     turned.seed = mix(settings.seed, 0x7475726e);
     AnalyticSettings exact;
     exact.rays = reference_rays;
     exact.seed = settings.seed;
-    const HemicubeEngine engine(scene, mesh, ray_scene, settings),
-        other(scene, mesh, ray_scene, turned);
-    const AnalyticEngine analytic(scene, mesh, ray_scene, exact);
+    HemicubeEngine engine(scene, mesh, ray_scene, settings), other(scene, mesh, ray_scene, turned);
+    AnalyticEngine analytic(scene, mesh, ray_scene, exact, in_time);
+    for (FormFactorEngine* each :
+         {static_cast<FormFactorEngine*>(&engine), static_cast<FormFactorEngine*>(&other),
+          static_cast<FormFactorEngine*>(&analytic)})
+        each->give_up_unless(in_time);
     std::vector<PatchIndex> sample;
     const std::size_t count = std::min(most_patches, mesh.size());
     for (std::size_t k = 0; k < count; ++k) {
@@ -109,8 +113,12 @@ HemicubeErrors estimate_hemicube_errors(const Scene& scene, const PatchMesh& mes
     }
     const Bench bench{scene, mesh, engine, other, analytic};
     std::vector<HemicubeErrors> errors(sample.size());
-    tbb::parallel_for(std::size_t{0}, sample.size(),
-                      [&](std::size_t k) { errors[k] = bench.at(sample[k]); });
+    try {
+        tbb::parallel_for(std::size_t{0}, sample.size(),
+                          [&](std::size_t k) { errors[k] = bench.at(sample[k]); });
+    } catch (const OutOfTime&) {
+        return std::nullopt;
+    }
     HemicubeErrors mean;
     for (const HemicubeErrors& e : errors) {
         const double n = static_cast<double>(errors.size());

@@ -6,6 +6,10 @@
 
 namespace patchlight {
 
+namespace {
+constexpr std::uint32_t queries_between_looks = 64;  // at the clock
+}
+
 struct PairVisibility::Packet {
     RayBatch segments;
     std::array<float, ray_batch> weight;
@@ -51,10 +55,12 @@ std::array<std::uint32_t, 4> PairVisibility::scrambles(PatchIndex i, int turn) c
             static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(b >> 32)};
 }
 
-void PairVisibility::measure(std::vector<VisibilityQuery>& queries) const {
+void PairVisibility::measure(std::vector<VisibilityQuery>& queries,
+                             const std::function<void()>& look_at_clock) const {
     Packet packet;
     const int wrap = static_cast<int>(points_.size());
     for (std::uint32_t q = 0; q < queries.size(); ++q) {
+        if (look_at_clock && q % queries_between_looks == 0) look_at_clock();
         const VisibilityQuery& query = queries[q];
         const PatchSampler &from = samplers_.sampler(query.i), &to = samplers_.sampler(query.j);
         PairEnds ends{from,

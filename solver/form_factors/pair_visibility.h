@@ -4,6 +4,7 @@
 #include "solver/rays/ray_scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace patchlight {
@@ -36,8 +37,9 @@ class PairVisibility {
                    std::uint64_t seed);
 
     /// Takes samples [first, first + count) of every query, both multiples of four, in packets
-    /// across queries.
-    void measure(std::vector<VisibilityQuery>& queries) const;
+    /// across queries. `look_at_clock` is called now and then, and may throw.
+    void measure(std::vector<VisibilityQuery>& queries,
+                 const std::function<void()>& look_at_clock = {}) const;
 
   private:
     struct Packet;

@@ -4,6 +4,10 @@
 
 namespace patchlight {
 
+namespace {
+constexpr int rays_between_looks = 4096 * ray_batch;  // at the clock
+}
+
 RayCastEngine::RayCastEngine(const Scene& scene, const PatchMesh& mesh, const RayScene& ray_scene,
                              int rays, std::uint64_t seed)
     : mesh_(mesh),
@@ -15,6 +19,7 @@ void RayCastEngine::cast(PatchIndex i, Tally& tally) const {
     RayBatch batch;
     LandingBatch landings;
     for (int first = 0; first < hemisphere_.count(); first += ray_batch) {
+        if (first % rays_between_looks == 0) look_at_clock();
         const int count = hemisphere_.fill(i, first, batch);
         ray_scene_.land(batch, count, landings);
         for (int k = 0; k < count; ++k) {

@@ -136,7 +136,16 @@ ShootingReport shoot(const ShootingProblem& problem, const ShootingStop& stop) {
         if (s.shots >= stop.max_shots) break;
         const std::size_t room = static_cast<std::size_t>(stop.max_shots - s.shots);
         const std::vector<PatchIndex> next = shooter.brightest(std::min(most_together, room));
-        const std::vector<const ClosedRow*> rows = problem.rows.fetch(next);
+        std::vector<const ClosedRow*> rows;
+        try {
+            rows = problem.rows.fetch(next);
+        } catch (const OutOfTime&) {
+            report.stopped_by = StopReason::time_limit;
+            if (stop.observe && stop.observe(s) == StopReason::cancelled)
+                report.stopped_by = StopReason::cancelled;
+            shooter.measure();
+            break;
+        }
         report.stopped_by = StopReason::tolerance;
         for (std::size_t k = 0; k < next.size(); ++k) {
             shooter.shoot(next[k], *rows[k]);

@@ -13,7 +13,7 @@ HemicubeErrors errors_of(const EngineScene& scene, int resolution, int sub_sampl
     HemicubeSettings settings;
     settings.resolution = resolution;
     settings.sub_samples = sub_samples;
-    return estimate_hemicube_errors(scene.cut.scene, scene.cut.mesh, scene.rays, settings);
+    return *estimate_hemicube_errors(scene.cut.scene, scene.cut.mesh, scene.rays, settings);
 }
 
 /// Half of what the two entries are off is light that goes to the wrong patch.
