@@ -74,8 +74,7 @@ void cut_patches(const Scene& scene, const MeshLines& lines, const std::function
 
 /// What there is where the work ended before there were patches: polygons as they are given.
 void show_lamps_alone(const Scene& scene, Solution& solution) {
-    constexpr double uncut = 10.0;  // of the scene's size
-    solution.mesh = make_patches(scene, no_lines(scene), uncut * scene_size(scene));
+    solution.mesh = uncut_patches(scene);
     solution.radiosity = exitances(scene, solution.mesh);
     solution.irradiance.assign(solution.mesh.size(), Rgb::Zero());
     solution.display = make_display(scene, solution.mesh, solution.radiosity,

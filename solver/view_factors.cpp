@@ -145,15 +145,20 @@ ViewFactorSolver::ViewFactorSolver(const Scene& scene, const SolveSettings& sett
     : scene_(scene) {
     if (scene.surfaces.empty())
         throw InputError("/objects", "nothing with an area is left to compute factors between");
-    Watch watch({}, std::nullopt);
+    const Observer nobody;
+    Watch watch(nobody, settings.time_limit);
     SolveSettings asked = settings;
     asked.method = Method::shooting;  // its memory is that of rows, not of the matrix
     asked.accuracy.reset();           // that is one of light
     if (!asked.patch_size) asked.patch_size = patch_size_for(scene, default_patches);
     settings_ = plan_solve(scene, asked).settings;
     check_memory(scene, estimate_patch_count(scene, *settings_.patch_size), settings_);
-    lines_ = find_mesh_lines(scene);
-    mesh_ = make_patches(scene, lines_, *settings_.patch_size);
+    const auto go_on = [&] { return watch.in_time(); };
+    lines_ = find_mesh_lines(scene, go_on);
+    if (go_on())
+        mesh_ = make_patches(scene, lines_, *settings_.patch_size,
+                             [&](std::size_t) { return go_on(); });
+    if (!go_on()) mesh_ = uncut_patches(scene);
     check_memory(scene, mesh_.size(), settings_);
     if (!settings.rays && settings_.engine == Engine::analytic)
         settings_.rays = rays_for(mesh_.size());
@@ -165,17 +170,23 @@ ViewFactorReport ViewFactorSolver::find(const std::function<void(const GroupFact
                                         const Observer& observe) const {
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(settings_.threads));
-    Watch watch(observe, settings_.time_limit);
+    std::optional<double> time_left = settings_.time_limit;
+    if (time_left) *time_left -= mesh_seconds_;
+    Watch watch(observe, time_left);
     ViewFactorReport report;
     report.settings = settings_;
     report.settings.method = Method::automatic;
     report.patches = mesh_.size();
     report.seconds.mesh = mesh_seconds_;
+    const auto in_time = [&] { return watch.in_time(); };
+    if (!in_time()) {
+        report.status = Status::limit;
+        return report;
+    }
     const RayScene rays(scene_, lines_.overlaps);
-    report.findings = find_geometry_flaws(scene_, lines_.overlaps, rays, settings_.seed);
+    report.findings = find_geometry_flaws(scene_, lines_.overlaps, rays, settings_.seed, in_time);
     const auto engine =
         make_engine(scene_, mesh_, rays, settings_, [&] { return watch.may_prepare(); });
-    const auto in_time = [&] { return watch.in_time(); };
     engine->give_up_unless(in_time);
     if (const StopReason stopped = watch.step({Stage::form_factors});
         stopped != StopReason::tolerance) {

@@ -241,6 +241,11 @@ PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_
     return std::move(mesher.mesh);
 }
 
+PatchMesh uncut_patches(const Scene& scene) {
+    constexpr double uncut = 10.0;  // of the scene's size
+    return make_patches(scene, no_lines(scene), uncut * scene_size(scene));
+}
+
 std::vector<Vec3> patch_corners(const PatchMesh& mesh, PatchIndex i) {
     const Patch& patch = mesh.patches[i];
     std::vector<Vec3> corners;

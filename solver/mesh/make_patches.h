@@ -37,6 +37,9 @@ MeshLines no_lines(const Scene& scene);
 PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_size,
                        const std::function<bool(std::size_t)>& go_on = {});
 
+/// Polygons as they are given, for where there is no time to cut them.
+PatchMesh uncut_patches(const Scene& scene);
+
 /// Corners of a patch, 3 or 4 [m].
 std::vector<Vec3> patch_corners(const PatchMesh& mesh, PatchIndex i);
 

@@ -88,5 +88,17 @@ TEST(ViewFactorsProgress, EndsAtTheTimeLimit) {
     EXPECT_EQ(told(table), 0u);
 }
 
+TEST(ViewFactorsProgress, TimeIsUpWhileTheMeshIsCut) {
+    SolveSettings settings = quick();
+    settings.patch_size = 0.002;
+    settings.time_limit = 1e-9;
+    const Scene scene = room_with_box();
+    const ViewFactorSolver solver(scene, settings, Grouping::object);
+    const ViewFactorReport report =
+        solver.find([](const GroupFactors&) { FAIL() << "no factors without a mesh"; }, {});
+    EXPECT_EQ(report.status, Status::limit);
+    EXPECT_LT(report.patches, 100u) << "polygons as they are given";
+}
+
 }  // namespace
 }  // namespace patchlight::view_factors_stop_test
