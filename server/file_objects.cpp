@@ -81,6 +81,12 @@ FileObjects::OpenFile& FileObjects::opened(const JsonValue& file) {
     }
 }
 
+std::vector<std::filesystem::path> FileObjects::files() const {
+    std::vector<std::filesystem::path> paths;
+    for (const auto& [name, file] : files_) paths.push_back(*directory_ / name);
+    return paths;
+}
+
 void FileObjects::add(const JsonValue& place, const Heritage& given, UniqueNames& paths) {
     OpenFile& file = opened(place);
     const ImportedGeometry& geometry = file.geometry;

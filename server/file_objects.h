@@ -35,6 +35,9 @@ class FileObjects {
     /// Adds the parts of the file as objects at and below the path of `own`.
     void add(const JsonValue& file, const Heritage& own, UniqueNames& paths);
 
+    /// Those that were read.
+    std::vector<std::filesystem::path> files() const;
+
     /// Of the files that were added, where these were put, under names of their own.
     const std::vector<NamedCamera>& cameras() const { return cameras_; }
 

@@ -111,8 +111,12 @@ int FormFactorsCommand::run() const {
         require_writable("--stats", *stats_);
         require_different({output_, *stats_});
     }
+    std::vector<std::string> outputs{output_};
+    if (stats_) outputs.push_back(*stats_);
+    require_not_read(outputs, {scene_});
     catch_interrupts();
     Job job = read_scene_file(scene_);
+    require_not_read(outputs, job.files);
     settings_.lay_over(job);
     const ThreadLimit limit(job.settings.threads);
     ViewFactorReport report;

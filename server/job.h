@@ -5,6 +5,7 @@
 #include "solver/scene/scene.h"
 #include "solver/settings.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Job {
     Scene scene;
     std::vector<NamedCamera> cameras;  // at least one
     SolveSettings settings;
+    std::vector<std::filesystem::path> files;  // that its geometry was read from
 };
 
 }  // namespace patchlight::server

@@ -42,8 +42,8 @@ void check_unused(const std::set<std::string>& used, const Definitions& definiti
 
 }  // namespace
 
-std::vector<NamedCamera> read_objects(const JsonValue& document, double metres,
-                                      const Directory& directory, Scene& scene, FaultList& faults) {
+GeometryFiles read_objects(const JsonValue& document, double metres, const Directory& directory,
+                           Scene& scene, FaultList& faults) {
     const JsonValue list = document.at("objects");
     if (list.size() == 0) list.reject("must have at least one object");
     const Definitions definitions(document);
@@ -70,7 +70,7 @@ std::vector<NamedCamera> read_objects(const JsonValue& document, double metres,
     check_unused(reader.used_definitions(), definitions, declared, directory, faults);
     if (faults.size() == 0 && scene.surfaces.empty())
         list.reject("no polygon of the scene has an area");
-    return files.cameras();
+    return {files.files(), files.cameras()};
 }
 
 }  // namespace patchlight::server

@@ -74,4 +74,14 @@ void require_different(const std::vector<std::string>& paths) {
     }
 }
 
+void require_not_read(const std::vector<std::string>& outputs, const std::vector<fs::path>& read) {
+    for (const std::string& output : outputs)
+        for (const fs::path& input : read) {
+            std::error_code neither_is_there;
+            if (output != to_standard_output && fs::is_regular_file(input, neither_is_there) &&
+                fs::equivalent(output, input, neither_is_there))
+                throw WrongInput(output + ": is read, and would be lost; write to another file");
+        }
+}
+
 }  // namespace patchlight::server

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -21,5 +22,9 @@ bool has_ending(std::string_view name, std::string_view ending);
 
 /// Throws WrongInput if two outputs would be the same file, or both standard output ("-").
 void require_different(const std::vector<std::string>& paths);
+
+/// Throws WrongInput if an output is one of the files that were read.
+void require_not_read(const std::vector<std::string>& outputs,
+                      const std::vector<std::filesystem::path>& read);
 
 }  // namespace patchlight::server

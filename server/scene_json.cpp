@@ -97,10 +97,10 @@ Job read_scene(const nlohmann::json& document, const SceneSource& source) {
     });
     const bool is_ready = read_blocks(root, job, faults);
     // A misspelt 'objects' is told of as an unknown key.
-    std::vector<NamedCamera> of_files;
+    GeometryFiles files;
     if (is_ready && (keys_known || root.has("objects")))
         faults.attempt([&] {
-            of_files = read_objects(root, job.units.metres, source.directory, job.scene, faults);
+            files = read_objects(root, job.units.metres, source.directory, job.scene, faults);
         });
     if (!root.has("version"))
         faults.attempt([&] {
@@ -108,7 +108,8 @@ Job read_scene(const nlohmann::json& document, const SceneSource& source) {
         });
     faults.throw_if_any();
     settle_far_geometry(job.scene);
-    if (job.cameras.empty()) job.cameras = std::move(of_files);
+    if (job.cameras.empty()) job.cameras = std::move(files.cameras);
+    job.files = std::move(files.paths);
     constexpr int edge = 512;  // [pixels]
     for (Finding& doubt : doubts(job)) job.scene.findings.push_back(std::move(doubt));
     if (job.cameras.empty()) job.cameras.push_back(framing_camera(job.scene, edge, edge));

@@ -2,6 +2,7 @@
 
 #include "raster/image_module.h"
 #include "server/interrupt.h"
+#include "server/output_files.h"
 #include "server/progress_line.h"
 #include "server/scene_file.h"
 #include "server/summary.h"
@@ -78,6 +79,7 @@ CLI::App* SolveCommand::add_to(CLI::App& program) {
 int SolveCommand::run() const {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<ImageFormat> formats = checked_formats(outputs_);
+    require_not_read(outputs_.paths(), {scene_});
     pictures_.check(formats, outputs_.mesh.has_value());
     trace_.prepare();
     if (trace_.is_asked() || std::any_of(formats.begin(), formats.end(), needs_codec))
@@ -100,6 +102,7 @@ int SolveCommand::run() const {
 
 Job SolveCommand::read_job() const {
     Job job = read_scene_file(scene_);
+    require_not_read(outputs_.paths(), job.files);
     settings_.lay_over(job);
     require_in_scene(outputs_, job.scene, shown_path(scene_));
     return job;

@@ -18,10 +18,8 @@ namespace {
 
 /// Text that any name will do for, but for CSV under the name of something else.
 void check_text(const char* option, const std::optional<std::string>& path,
-                std::initializer_list<std::string_view> endings, std::vector<std::string>& paths) {
-    if (!path) return;
-    paths.push_back(*path);
-    if (*path == to_standard_output) return;
+                std::initializer_list<std::string_view> endings) {
+    if (!path || *path == to_standard_output) return;
     require_ending(option, *path, endings);
     require_writable(option, *path);
 }
@@ -46,26 +44,30 @@ class Attempts {
 
 }  // namespace
 
+std::vector<std::string> SolveOutputs::paths() const {
+    std::vector<std::string> all = images;
+    for (const auto* path : {&stats, &sensors, &patches, &mesh})
+        if (*path) all.push_back(**path);
+    return all;
+}
+
 std::vector<ImageFormat> checked_formats(const SolveOutputs& outputs) {
     std::vector<ImageFormat> formats;
-    std::vector<std::string> paths;
     for (const std::string& path : outputs.images) {
         const auto format = format_of_file(path);
         if (!format)
             throw WrongInput("--image " + path + ": the name must end in .png, .exr or .pfm");
         require_writable("--image", path);
         formats.push_back(*format);
-        paths.push_back(path);
     }
-    check_text("--stats", outputs.stats, {}, paths);
-    check_text("--sensors", outputs.sensors, {".csv"}, paths);
-    check_text("--patches", outputs.patches, {".csv"}, paths);
+    check_text("--stats", outputs.stats, {});
+    check_text("--sensors", outputs.sensors, {".csv"});
+    check_text("--patches", outputs.patches, {".csv"});
     if (outputs.mesh) {
         require_ending("--mesh", *outputs.mesh, {".glb"});
         require_writable("--mesh", *outputs.mesh);
-        paths.push_back(*outputs.mesh);
     }
-    require_different(paths);
+    require_different(outputs.paths());
     return formats;
 }
 

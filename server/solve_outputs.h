@@ -16,6 +16,7 @@ struct SolveOutputs {
     std::optional<std::string> patches;  // CSV
     std::optional<std::string> mesh;     // GLB
 
+    std::vector<std::string> paths() const;
     bool none() const { return images.empty() && !stats && !sensors && !patches && !mesh; }
 };
 
