@@ -132,7 +132,8 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
         stopped = stopped == StopReason::tolerance ? watch.step({Stage::mesh}) : stopped;
         return stopped == StopReason::tolerance;
     };
-    const MeshLines lines = find_mesh_lines(scene, go_on);
+    MeshLines lines = find_mesh_lines(scene, go_on);
+    if (solution.settings.accuracy && stopped == StopReason::tolerance) add_gap_lines(scene, lines);
     if (stopped == StopReason::tolerance) cut_patches(scene, lines, go_on, solution);
     if (stopped != StopReason::tolerance) {
         show_lamps_alone(scene, solution);

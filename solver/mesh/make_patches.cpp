@@ -5,6 +5,7 @@
 #include "solver/mesh/edge_stops.h"
 #include "solver/mesh/grid_shape.h"
 #include "solver/mesh/polygon_mesher.h"
+#include "solver/scene/gap_lines.h"
 #include "solver/scene/seen_area.h"
 
 #include <Eigen/Geometry>
@@ -144,6 +145,12 @@ bool is_one_patch(const Surface& surface, const EdgeDivisions& divisions, Surfac
            divisions.parts(s, 1) == 1 && divisions.parts(s, 2) == 1;
 }
 
+double distance_to(const Segment& segment, const Vec3& p) {
+    const Vec3 along = segment[1] - segment[0];
+    const double at = std::clamp((p - segment[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (p - segment[0] - at * along).norm();
+}
+
 double edge_length(const Surface& surface, std::size_t k) {
     return (surface.corners[(k + 1) % surface.corners.size()] - surface.corners[k]).norm();
 }
@@ -206,6 +213,25 @@ MeshLines find_mesh_lines(const Scene& scene, const std::function<bool()>& go_on
         }
     }
     return lines;
+}
+
+void add_gap_lines(const Scene& scene, MeshLines& lines) {
+    const LocalTolerance tolerance(scene);
+    const std::vector<std::vector<GapLine>> gaps = find_gap_lines(scene);
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+        for (const GapLine& line : gaps[s]) {
+            const bool is_there =
+                lines.hidden[s] ||
+                std::any_of(lines.creases[s].begin(), lines.creases[s].end(),
+                            [&](const Segment& crease) {
+                                return distance_to(crease, line.at[0]) < 0.5 * line.height &&
+                                       distance_to(crease, line.at[1]) < 0.5 * line.height;
+                            });
+            if (is_there) continue;
+            const double reach = tolerance.at(s);
+            const Segment snapped = snap_to_outline(scene.surfaces[s], line.at, reach);
+            if ((snapped[1] - snapped[0]).norm() > reach) lines.creases[s].push_back(snapped);
+        }
 }
 
 MeshLines no_lines(const Scene& scene) {

@@ -23,6 +23,10 @@ struct MeshLines {
 /// `go_on` is asked now and then; after a false the lines are not all there.
 MeshLines find_mesh_lines(const Scene& scene, const std::function<bool()>& go_on = {});
 
+/// Adds outlines of narrow gaps to the creases, but for those that are as good as there: within
+/// half their height above the surface.
+void add_gap_lines(const Scene& scene, MeshLines& lines);
+
 /// None: polygons as they are, without regard for one another.
 MeshLines no_lines(const Scene& scene);
 

@@ -56,7 +56,8 @@ std::vector<Segment> meet_plane(const Surface& surface, const Surface& other, do
     return segments;
 }
 
-/// Whether some of the segment lies inside the outline, off its edges.
+}  // namespace
+
 bool reaches_inside(const Surface& surface, const Segment& s, double reach) {
     const PlaneFrame frame = frame_along(surface.corners, surface.normal);
     std::vector<Vec2> outline;
@@ -77,8 +78,6 @@ bool reaches_inside(const Surface& surface, const Segment& s, double reach) {
             return true;
     return false;
 }
-
-}  // namespace
 
 std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene,
                                                      const CoplanarOverlaps& overlaps,

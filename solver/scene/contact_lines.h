@@ -11,6 +11,9 @@ namespace patchlight {
 
 using Segment = std::array<Vec3, 2>;  // [m]
 
+/// Whether some of the segment lies inside the outline, off its edges.
+bool reaches_inside(const Surface& surface, const Segment& s, double reach);
+
 /// Where other surfaces meet each surface inside its outline (a line may go on beyond it): edges
 /// that rest on it (the foot of a box), and cuts of surfaces that pass through it. Light and shadow
 /// end sharply there, so patches that straddle such a line would carry them across. Lines along the
