@@ -69,17 +69,6 @@ struct CheckPoint {
     ObjectIndex object = 0;
 };
 
-MeasuredError measure(const std::vector<double>& products) {
-    const double n = static_cast<double>(products.size());
-    MeasuredError error;
-    if (products.size() < 2) return error;
-    error.points = static_cast<int>(products.size());
-    for (const double product : products) error.square += product / n;
-    for (const double product : products)
-        error.variance += (product - error.square) * (product - error.square) / (n * (n - 1.0));
-    return error;
-}
-
 /// Those that make up most of the sum.
 std::vector<PointMiss> telling(const std::vector<PointMiss>& misses,
                                const std::vector<double>& products) {
@@ -129,15 +118,22 @@ struct Checker {
         return sum;
     }
 
+    Rgb all_shown(const CheckPoint& point) const {
+        const Rgb indirect = shown_at(point, shown.arriving.indirect);
+        return shown.arriving.direct.empty() ? indirect
+                                             : indirect + shown_at(point, shown.arriving.direct);
+    }
+
     /// Products of two differences at n points, and their sums by object.
     MeasuredError compare(std::size_t n, const std::vector<Rgb>& values,
                           const std::function<Rgb(const GatherPoint&, std::uint64_t)>& anew,
-                          CheckReport& report) const {
+                          CheckReport& report, std::vector<ResidualPoint>& points) const {
         std::vector<double> products(n), means(n);
         std::vector<ObjectIndex> objects(n);
         std::vector<PatchIndex> patches(n);
         std::vector<Rgb> missing(n);
         std::vector<PointMiss> misses(n);
+        points.resize(n);
         const TrianglePick pick = make_pick(scene, gather, shown, values);
         tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
             const CheckPoint checked = point(pick, k, n);
@@ -145,11 +141,14 @@ struct Checker {
             std::array<double, 2> miss{};
             Rgb arriving = Rgb::Zero();
             missing[k] = Rgb::Zero();
+            points[k] = {checked.place,       checked.object,     checked.density,
+                         checked.reflectance, all_shown(checked), {Rgb::Zero(), Rgb::Zero()}};
             for (std::uint64_t half = 0; half < 2; ++half) {
                 const Rgb there = anew(checked.place, key(k, 3 + half)), beyond = value - there;
                 arriving += 0.5 * there;
                 miss[half] = luminance(checked.reflectance * beyond);
                 missing[k] -= 0.5 * beyond / checked.density;
+                points[k].missing[half] = -beyond;
             }
             products[k] = miss[0] * miss[1] / checked.density;
             means[k] = 0.5 * (miss[0] + miss[1]) / checked.density;
@@ -167,13 +166,24 @@ struct Checker {
             report.missing[k % 2][patches[k]] += 2.0 * missing[k] / all;
         }
         report.missed = telling(misses, products);
-        MeasuredError error = measure(products);
+        MeasuredError error = mean_of(products);
         for (const double mean : means) error.mean += mean / static_cast<double>(n);
         return error;
     }
 };
 
 }  // namespace
+
+MeasuredError mean_of(const std::vector<double>& numbers) {
+    const double n = static_cast<double>(numbers.size());
+    MeasuredError error;
+    if (numbers.size() < 2) return error;
+    error.points = static_cast<int>(numbers.size());
+    for (const double number : numbers) error.square += number / n;
+    for (const double number : numbers)
+        error.variance += (number - error.square) * (number - error.square) / (n * (n - 1.0));
+    return error;
+}
 
 double MeasuredError::at_most(double standard_errors) const {
     return std::sqrt(std::max(square + standard_errors * std::sqrt(variance), 0.0));
@@ -194,9 +204,15 @@ MeasuredError joined(const MeasuredError& a, const MeasuredError& b) {
 }  // namespace
 
 CheckReport joined(const CheckReport& a, const CheckReport& b) {
-    CheckReport both{
-        joined(a.direct, b.direct), joined(a.indirect, b.indirect), a.of_object, {}, a.missed};
-    both.missed.insert(both.missed.end(), b.missed.begin(), b.missed.end());
+    CheckReport both = a;
+    both.direct = joined(a.direct, b.direct);
+    both.indirect = joined(a.indirect, b.indirect);
+    const auto append = [](auto& to, const auto& more) {
+        to.insert(to.end(), more.begin(), more.end());
+    };
+    append(both.missed, b.missed);
+    append(both.direct_points, b.direct_points);
+    append(both.indirect_points, b.indirect_points);
     // An object's part is a sum over direct and indirect points, taken as alike in share.
     const int points = a.indirect.points + b.indirect.points;
     const double share = points > 0 ? static_cast<double>(a.indirect.points) / points : 1.0;
@@ -208,7 +224,6 @@ CheckReport joined(const CheckReport& a, const CheckReport& b) {
         object.points += b.of_object[o].points;
     }
     for (std::size_t half = 0; half < 2; ++half) {
-        both.missing[half] = a.missing[half];
         for (std::size_t i = 0; i < both.missing[half].size(); ++i)
             both.missing[half][i] = share * a.missing[half][i] + (1.0 - share) * b.missing[half][i];
     }
@@ -240,12 +255,14 @@ CheckReport check_display(const Scene& scene, const TreeDisplay& shown, const Ve
     };
     const auto n = static_cast<std::size_t>(effort.indirect_points);
     if (shown.arriving.direct.empty()) {
-        report.indirect = checker.compare(n, shown.arriving.indirect, all, report);
+        report.indirect =
+            checker.compare(n, shown.arriving.indirect, all, report, report.indirect_points);
         return report;
     }
     report.direct = checker.compare(static_cast<std::size_t>(effort.direct_points),
-                                    shown.arriving.direct, direct, report);
-    report.indirect = checker.compare(n, shown.arriving.indirect, indirect, report);
+                                    shown.arriving.direct, direct, report, report.direct_points);
+    report.indirect =
+        checker.compare(n, shown.arriving.indirect, indirect, report, report.indirect_points);
     return report;
 }
 

@@ -18,6 +18,19 @@ struct MeasuredError {
     double at_most(double standard_errors) const;
 };
 
+/// Of the mean of independent numbers.
+MeasuredError mean_of(const std::vector<double>& numbers);
+
+/// A point at which the residual was measured.
+struct ResidualPoint {
+    GatherPoint place;
+    ObjectIndex object = 0;
+    double density = 1.0;                                  // of points [1/m²]
+    Rgb reflectance = Rgb::Zero();                         // [1]
+    Rgb light = Rgb::Zero();                               // all irradiance as displayed [W/m²]
+    std::array<Rgb, 2> missing{Rgb::Zero(), Rgb::Zero()};  // of it, gathered twice [W/m²]
+};
+
 struct CheckReport {
     MeasuredError direct, indirect;
     struct OfObject {
@@ -29,6 +42,7 @@ struct CheckReport {
     /// Irradiance that is missing, ∫ dA over each patch, as every other point tells it: two
     /// estimates that know nothing of each other [W].
     std::array<std::vector<Rgb>, 2> missing;
+    std::vector<ResidualPoint> direct_points, indirect_points;
     std::vector<PointMiss> missed;  // points that most of `indirect` is from
     double mean() const { return direct.mean + indirect.mean; }
     /// Both together: their causes are independent [W/m].

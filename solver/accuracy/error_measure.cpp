@@ -1,5 +1,6 @@
 #include "solver/accuracy/error_measure.h"
 
+#include "solver/accuracy/carried_residual.h"
 #include "solver/accuracy/energy.h"
 #include "solver/rays/low_discrepancy.h"
 
@@ -69,7 +70,8 @@ std::optional<double> ErrorMeasure::propagated(const CheckReport& checks, double
     return std::sqrt(std::max(0.0, product) + noise) / norm;
 }
 
-Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight& reflected) const {
+Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight& reflected,
+                                std::uint64_t seed) const {
     Evidence evidence;
     evidence.target = target;
     evidence.algebraic_bound = light.coarse()->transported().algebraic_bound;
@@ -79,6 +81,7 @@ Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight&
         (light.coarse()->goes_round() ? left_by_correction : uncorrected) * light.correction();
     evidence.propagated = propagated(checks, reflected.norm);
     evidence.energy = light.energy();
+    evidence.carried = carried_residual(scene, rays, checks, light.energy(), mix(seed, 0x63617272));
     evidence.proven_by_energy =
         error_proven_by_energy(scene, mesh, light.energy(), light.irradiance(), backs, escaped);
     return evidence;
@@ -109,8 +112,9 @@ MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed, bool is
             CheckReport more = light.check(effort, mix(seed, static_cast<std::uint64_t>(k)));
             round.checks = k > 0 ? joined(round.checks, more) : std::move(more);
         }
-        const Evidence all = evidence(round.checks, reflected);
+        const Evidence all = evidence(round.checks, reflected, seed);
         round.error = judge(all);
+        round.beyond_residual = beyond_residual(all, 1.0);
         if (!round.error.estimate) break;
         const double without_doubt = *judge(all, 0.0).estimate;
         const bool worth_it = is_hurried || without_doubt < promising * target ||
@@ -133,7 +137,7 @@ void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, do
     ParticleEvidence found =
         check_transport(scene, mesh, rays, light.pass().points().gather().gaps(), *light.shown(),
                         light.places(), effort, seed);
-    Evidence all = evidence(round.checks, reflected);
+    Evidence all = evidence(round.checks, reflected, seed);
     all.transport = found.check;
     round.error = judge(all);
     round.regions = std::move(found.regions);

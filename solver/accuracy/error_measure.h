@@ -12,6 +12,7 @@ namespace patchlight {
 struct MeasuredRound {
     CheckReport checks;
     ErrorReport error;
+    double beyond_residual = 0.0;     // what goes round beyond what check points say, over the norm
     std::vector<FluxRegion> regions;  // that particles were compared in; empty: none were sent
 };
 
@@ -35,7 +36,8 @@ struct ErrorMeasure {
                           MeasuredRound& round) const;
 
   private:
-    Evidence evidence(const CheckReport& checks, const ReflectedLight& reflected) const;
+    Evidence evidence(const CheckReport& checks, const ReflectedLight& reflected,
+                      std::uint64_t seed) const;
     std::optional<double> propagated(const CheckReport& checks, double norm) const;
 };
 

@@ -87,6 +87,16 @@ double said_by_particles(const TransportCheck& check, double expected) {
 
 }  // namespace
 
+double beyond_residual(const Evidence& evidence, double standard_errors) {
+    if (!evidence.carried) return 0.0;
+    const CheckReport& checks = *evidence.checks;
+    const double variance = checks.direct.variance + evidence.carried->variance,
+                 square = checks.direct.square + evidence.carried->square +
+                          standard_errors * std::sqrt(variance),
+                 counted = std::pow(passed_on * checks.at_most(standard_errors), 2);
+    return std::sqrt(std::max(0.0, square - counted)) / evidence.light.norm;
+}
+
 ErrorReport judge(const Evidence& evidence, double standard_errors) {
     ErrorReport error;
     error.target = evidence.target;
@@ -100,7 +110,8 @@ ErrorReport judge(const Evidence& evidence, double standard_errors) {
     const double alike = std::abs(checks.mean()) / std::sqrt(light.area) / light.norm;
     const double round_and_round = evidence.propagated.value_or((light.bounces - 1.0) * alike);
     error.mesh = passed_on * checks.at_most(standard_errors) / light.norm;
-    error.form_factors = std::hypot(evidence.coarse, round_and_round);
+    error.form_factors = std::max(std::hypot(evidence.coarse, round_and_round),
+                                  beyond_residual(evidence, standard_errors));
     const double measured =
         evidence.algebraic_bound.value_or(0.0) + std::hypot(*error.form_factors, *error.mesh);
     error.estimate = std::max(measured, evidence.proven_by_energy);

@@ -34,18 +34,24 @@ struct Evidence {
     std::optional<double> algebraic_bound;  // of the patch solution [1]
     const CheckReport* checks = nullptr;    // the residual at points
     ReflectedLight light;
-    double coarse = 0.0;               // what rays read is still wrong by, over the norm [1]
-    std::optional<double> propagated;  // what the residual makes by further bounces; over the
-                                       // norm; absent: guessed from its mean [1]
+    double coarse = 0.0;                   // what rays read is still wrong by, over the norm [1]
+    std::optional<double> propagated;      // what the residual makes by further bounces; over the
+                                           // norm; absent: guessed from its mean [1]
+    std::optional<MeasuredError> carried;  // the error of indirect light, its residual gone round
     EnergyReport energy;
     double proven_by_energy = 0.0;  // the least error that missing light allows, see energy.h [1]
     std::optional<TransportCheck> transport;
 };
 
+/// What the residual carried from point to point comes to beyond what `mesh` counts of it, over the
+/// norm [1].
+double beyond_residual(const Evidence& evidence, double standard_errors);
+
 /// The one place that says how wrong a field is: `mesh` is the residual at check points with
-/// `standard_errors` on top; `form_factors` what goes round with the light; `estimate` is
-/// algebraic_bound + √(form_factors² + mesh²) and never less than what the energy that is missing
-/// and the particles' flux prove. No estimate where no points were checked.
+/// `standard_errors` on top; `form_factors` what goes round with the light, or more where the
+/// residual carried from point to point comes to more than both; `estimate` is algebraic_bound +
+/// √(form_factors² + mesh²) and never less than what the energy that is missing and the particles'
+/// flux prove. No estimate where no points were checked.
 ErrorReport judge(const Evidence& evidence, double standard_errors = sure);
 
 }  // namespace patchlight

@@ -6,7 +6,7 @@
 namespace patchlight {
 
 std::span<const SceneClass> scene_classes() {
-    static constexpr std::array<SceneClass, 11> classes{{{"slits", make_slits},
+    static constexpr std::array<SceneClass, 12> classes{{{"slits", make_slits},
                                                          {"holes", make_holes},
                                                          {"white", make_white},
                                                          {"tessellated", make_tessellated},
@@ -16,7 +16,8 @@ std::span<const SceneClass> scene_classes() {
                                                          {"cove", make_cove},
                                                          {"tilted", make_tilted},
                                                          {"skypanel", make_skypanel},
-                                                         {"boxes", make_boxes}}};
+                                                         {"boxes", make_boxes},
+                                                         {"near", make_near}}};
     return classes;
 }
 

@@ -33,5 +33,6 @@ void make_boxes(RoomParts& parts);
 void make_tessellated(RoomParts& parts);
 void make_lampshade(RoomParts& parts);
 void make_furniture(RoomParts& parts);
+void make_near(RoomParts& parts);
 
 }  // namespace patchlight
