@@ -14,44 +14,51 @@ namespace {
 constexpr int rays_of_point = 2 * ray_batch;  // for each half
 constexpr int most_bounces = 16;              // of what is not alike everywhere little is left
 constexpr double dies_out = 0.02;             // of the sum: what further bounces may add [1]
-constexpr std::size_t most_points = 1024;     // that are carried, and that are looked up
-constexpr double same_side = 0.5;             // least cosine between normals
+constexpr std::size_t most_points = 1024;     // that are carried
+constexpr std::size_t most_direct = 384;      // of direct light, that are looked up
+constexpr float same_side = 0.5f;             // least cosine between normals
 constexpr std::int32_t none = -1;
 
 using Points = std::vector<ResidualPoint>;
 
 /// Every so many of them, so that none is more likely.
-Points thinned(const Points& points) {
-    if (points.size() <= most_points) return points;
+Points thinned(const Points& points, std::size_t most) {
+    if (points.size() <= most) return points;
     Points some;
-    for (std::size_t k = 0; k < most_points; ++k)
-        some.push_back(points[k * points.size() / most_points]);
+    for (std::size_t k = 0; k < most; ++k) some.push_back(points[k * points.size() / most]);
     return some;
 }
 
 /// Finds the nearest of points on an object that face the same way.
 class Nearest {
   public:
-    Nearest(const Points& points, std::size_t objects) : points_(points), of_object_(objects) {
-        for (std::size_t k = 0; k < points.size(); ++k)
-            of_object_[points[k].object].push_back(static_cast<std::int32_t>(k));
+    Nearest(const Points& points, std::size_t objects) : of_object_(objects) {
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const GatherPoint& place = points[k].place;
+            of_object_[points[k].object].push_back({place.position.cast<float>(),
+                                                    place.normal.cast<float>(),
+                                                    static_cast<std::int32_t>(k)});
+        }
     }
     std::int32_t to(const Vec3& p, const Vec3& normal, ObjectIndex object) const {
+        const Eigen::Vector3f at = p.cast<float>(), facing = normal.cast<float>();
         std::int32_t nearest = none;
-        double least = std::numeric_limits<double>::infinity();
-        for (const std::int32_t k : of_object_[object]) {
-            const GatherPoint& place = points_[static_cast<std::size_t>(k)].place;
-            const double squared = (place.position - p).squaredNorm();
-            if (squared >= least || place.normal.dot(normal) < same_side) continue;
+        float least = std::numeric_limits<float>::infinity();
+        for (const Place& place : of_object_[object]) {
+            const float squared = (place.position - at).squaredNorm();
+            if (squared >= least || place.normal.dot(facing) < same_side) continue;
             least = squared;
-            nearest = k;
+            nearest = place.number;
         }
         return nearest;
     }
 
   private:
-    const Points& points_;
-    std::vector<std::vector<std::int32_t>> of_object_;
+    struct Place {
+        Eigen::Vector3f position, normal;
+        std::int32_t number;
+    };
+    std::vector<std::vector<Place>> of_object_;
 };
 
 /// What the rays of one point land on.
@@ -175,8 +182,8 @@ struct Carrier {
 
 MeasuredError carried_residual(const Scene& scene, const RayScene& rays, const CheckReport& checks,
                                const EnergyReport& energy, std::uint64_t seed) {
-    const Carrier carrier{scene, rays, energy, thinned(checks.indirect_points),
-                          thinned(checks.direct_points)};
+    const Carrier carrier{scene, rays, energy, thinned(checks.indirect_points, most_points),
+                          thinned(checks.direct_points, most_direct)};
     std::array<std::vector<Seen>, 2> seen;
     std::array<std::vector<Rgb>, 2> missing;
     for (std::size_t h = 0; h < 2; ++h) {

@@ -70,21 +70,28 @@ std::optional<double> ErrorMeasure::propagated(const CheckReport& checks, double
     return std::sqrt(std::max(0.0, product) + noise) / norm;
 }
 
-Evidence ErrorMeasure::evidence(const CheckReport& checks, const ReflectedLight& reflected,
-                                std::uint64_t seed) const {
-    Evidence evidence;
+void ErrorMeasure::judge_round(const ReflectedLight& reflected, MeasuredRound& round) const {
+    Evidence& evidence = round.evidence;
     evidence.target = target;
+    evidence.checks = &round.checks;
     evidence.algebraic_bound = light.coarse()->transported().algebraic_bound;
-    evidence.checks = &checks;
     evidence.light = reflected;
     evidence.coarse =
         (light.coarse()->goes_round() ? left_by_correction : uncorrected) * light.correction();
-    evidence.propagated = propagated(checks, reflected.norm);
+    evidence.propagated = propagated(round.checks, reflected.norm);
+    evidence.carried.reset();
     evidence.energy = light.energy();
-    evidence.carried = carried_residual(scene, rays, checks, light.energy(), mix(seed, 0x63617272));
     evidence.proven_by_energy =
         error_proven_by_energy(scene, mesh, light.energy(), light.irradiance(), backs, escaped);
-    return evidence;
+    round.error = judge(evidence);
+}
+
+void ErrorMeasure::carry_residual(std::uint64_t seed, MeasuredRound& round) const {
+    if (round.evidence.carried || !round.error.estimate) return;
+    round.evidence.carried =
+        carried_residual(scene, rays, round.checks, round.evidence.energy, mix(seed, 0x63617272));
+    round.error = judge(round.evidence);
+    round.beyond_residual = beyond_residual(round.evidence, 1.0);
 }
 
 MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed, bool is_hurried,
@@ -112,22 +119,22 @@ MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed, bool is
             CheckReport more = light.check(effort, mix(seed, static_cast<std::uint64_t>(k)));
             round.checks = k > 0 ? joined(round.checks, more) : std::move(more);
         }
-        const Evidence all = evidence(round.checks, reflected, seed);
-        round.error = judge(all);
-        round.beyond_residual = beyond_residual(all, 1.0);
+        judge_round(reflected, round);
+        if (round.error.met()) carry_residual(seed, round);
         if (!round.error.estimate) break;
-        const double without_doubt = *judge(all, 0.0).estimate;
+        const double without_doubt = *judge(round.evidence, 0.0).estimate;
         const bool worth_it = is_hurried || without_doubt < promising * target ||
                               (times == 1 && *round.error.estimate > doubtful * without_doubt);
         if (round.error.met() || !worth_it || !go_on()) break;
     }
+    carry_residual(seed, round);
     return round;
 }
 
 void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, double seconds,
                                     MeasuredRound& round) const {
     if (!round.error.estimate) return;
-    const ReflectedLight reflected = light.reflected();
+    const ReflectedLight& reflected = round.evidence.light;
     ParticleEffort effort;
     effort.target = target;
     effort.rays = static_cast<std::uint64_t>(share_of_rays * light.rays_taken(aim));
@@ -137,9 +144,9 @@ void ErrorMeasure::check_from_lamps(const GatherAim& aim, std::uint64_t seed, do
     ParticleEvidence found =
         check_transport(scene, mesh, rays, light.pass().points().gather().gaps(), *light.shown(),
                         light.places(), effort, seed);
-    Evidence all = evidence(round.checks, reflected, seed);
-    all.transport = found.check;
-    round.error = judge(all);
+    round.evidence.checks = &round.checks;
+    round.evidence.transport = found.check;
+    round.error = judge(round.evidence);
     round.regions = std::move(found.regions);
 }
 

@@ -11,6 +11,7 @@ namespace patchlight {
 /// How wrong a round of gathering is: everything that is measured, and what the judge makes of it.
 struct MeasuredRound {
     CheckReport checks;
+    Evidence evidence;  // `checks` are those of this round, wherever it is
     ErrorReport error;
     double beyond_residual = 0.0;     // what goes round beyond what check points say, over the norm
     std::vector<FluxRegion> regions;  // that particles were compared in; empty: none were sent
@@ -36,8 +37,8 @@ struct ErrorMeasure {
                           MeasuredRound& round) const;
 
   private:
-    Evidence evidence(const CheckReport& checks, const ReflectedLight& reflected,
-                      std::uint64_t seed) const;
+    void judge_round(const ReflectedLight& reflected, MeasuredRound& round) const;
+    void carry_residual(std::uint64_t seed, MeasuredRound& round) const;
     std::optional<double> propagated(const CheckReport& checks, double norm) const;
 };
 

@@ -94,6 +94,18 @@ TEST(Judge, TakesWhatGoesRoundAsItWasSentRatherThanGuessed) {
     EXPECT_NEAR(*judge(judged.evidence).form_factors, 0.004, rounding);
 }
 
+TEST(Judge, IsNeverBelowWhatTheResidualComesToFromPointToPoint) {
+    Judged judged;
+    judged.evidence.propagated = 0.0;
+    judged.evidence.carried = MeasuredError{0.01, 0.0, 0.0, 400};  // the residual's own square
+    EXPECT_EQ(*judge(judged.evidence, 0.0).form_factors, 0.0) << "passed_on counts more";
+    judged.evidence.carried->square = 0.25;
+    EXPECT_NEAR(*judge(judged.evidence, 0.0).estimate, std::sqrt(0.03 + 0.25) / 2.0, rounding);
+    judged.evidence.carried->variance = 0.01;
+    EXPECT_NEAR(*judge(judged.evidence, 2.0).estimate, std::sqrt(0.03 + 0.25 + 2 * 0.1) / 2.0,
+                rounding);
+}
+
 TEST(Judge, IsNeverBelowWhatParticlesOrTheEnergyProve) {
     Judged judged;
     judged.evidence.transport = TransportCheck{0.6, 0.0, 0.5, 0.0, 1000, 1000};
