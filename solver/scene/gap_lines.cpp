@@ -15,7 +15,7 @@ namespace patchlight {
 namespace {
 
 constexpr double opposed = -0.95;         // cosine between normals
-constexpr double least_of_area = 5e-4;    // of the scene's: smaller ones change little
+constexpr double least_of_area = 2e-4;    // of the scene's: smaller ones change little
 constexpr double least_to_and_fro = 0.4;  // of the light that leaves a side, what comes back so
 constexpr double widest = 1.0;            // height over width, of what may reach that at all
 
