@@ -165,18 +165,18 @@ void AccuracySolve::check_from_lamps() {
 }
 
 void AccuracySolve::aim_closer() {
-    const double over_norm = passed_on / light_.norm();
     const DisplayPass& pass = light_.pass();
-    const RoundErrors errors{
-        over_norm * measured_->checks.direct.at_most(1.0),
-        std::hypot(over_norm * measured_->checks.indirect.at_most(1.0), measured_->beyond_residual),
-        over_norm * pass.indirect_noise(),
-        over_norm * pass.indirect().expected_miss(),
-        over_norm * pass.direct_noise(),
-        over_norm * pass.direct().expected_miss(),
-        light_.correction(),
-        light_.read_coarsely(),
-        light_.has_gaps()};
+    const double over_norm = passed_on / light_.norm();
+    const RoundErrors errors{over_norm * measured_->checks.direct.at_most(1.0),
+                             over_norm * measured_->checks.indirect.at_most(1.0),
+                             over_norm * pass.indirect_noise(),
+                             over_norm * pass.indirect().expected_miss(),
+                             over_norm * pass.direct_noise(),
+                             over_norm * pass.direct().expected_miss(),
+                             light_.correction(),
+                             light_.read_coarsely(),
+                             light_.has_gaps(),
+                             measured_->amplified()};
     light_.look_closer(measured_->checks.missed);
     const auto rays_for = [&, &noise = light_.noise()](double less) {
         return noise.rays_for(less * noise.absolute(aim_.rays), fewest_rays, most_rays);

@@ -4,6 +4,7 @@
 #include "solver/accuracy/judge.h"
 #include "solver/accuracy/transport_check.h"
 
+#include <cmath>
 #include <functional>
 
 namespace patchlight {
@@ -13,7 +14,12 @@ struct MeasuredRound {
     CheckReport checks;
     Evidence evidence;  // `checks` are those of this round, wherever it is
     ErrorReport error;
-    double beyond_residual = 0.0;     // what goes round beyond what check points say, over the norm
+    double beyond_residual = 0.0;  // what goes round beyond what check points say, over the norm
+    /// What the residual comes to once it has gone round, over itself; 1 where that is counted [1].
+    double amplified() const {
+        const double missed = passed_on * checks.at_most(1.0) / evidence.light.norm;
+        return missed > 0.0 ? std::hypot(1.0, beyond_residual / missed) : 1.0;
+    }
     std::vector<FluxRegion> regions;  // that particles were compared in; empty: none were sent
 };
 

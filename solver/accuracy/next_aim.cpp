@@ -78,7 +78,11 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
                  direct = std::sqrt(std::max(std::pow(errors.direct, 2) - sampled * sampled, 0.0));
     const std::array<double, 3> missed{direct, noise, bends};
     const double all = std::sqrt(direct * direct + noise * noise + bends * bends);
-    const double beside = std::sqrt(std::pow(planned * target_, 2) - sampled * sampled);
+    // What goes to and fro is larger than what is missed at once: once rays read what is right.
+    const bool explained =
+        errors.amplified * errors.indirect < unexplained * std::hypot(errors.noise, errors.bent);
+    const double beside = std::sqrt(std::pow(planned * target_, 2) - sampled * sampled) /
+                          (explained ? errors.amplified : 1.0);
     const std::array<double, 3> allowed = shares_of(std::min(beside, a_little * all), missed);
     const auto scale = [&](std::size_t k) {
         return missed[k] > allowed[k] ? allowed[k] / missed[k] : 1.0;
@@ -108,13 +112,12 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
         aim.gathered = GatherAim::Indirect::kept;
         return 1.0;
     }
-    const bool explained = errors.indirect < unexplained * std::hypot(errors.noise, errors.bent);
     const bool may_join = explained && !errors.read_coarse &&
                           errors.correction < joinable * target_ &&
                           aim.gathered != GatherAim::Indirect::joined;
     aim.gathered = may_join ? GatherAim::Indirect::joined : GatherAim::Indirect::anew;
-    const double before = std::exchange(last_indirect_, errors.indirect);
-    is_settling_ = !explained && errors.indirect < improving * before;
+    const double before = std::exchange(last_indirect_, errors.amplified * errors.indirect);
+    is_settling_ = !explained && last_indirect_ < improving * before;
     if (is_settling_) return 1.0;
     if (scale(2) < 1.0) cut(aim.indirect, bends_between);
     return std::max(at_once, scale(1));

@@ -22,6 +22,7 @@ struct RoundErrors {
     double correction = 0.0;              // what the round changed
     bool read_coarse = false;             // rays read a solution coarser than what they gathered
     bool has_gaps = false;                // that samples of lamps may not find
+    double amplified = 1.0;               // what all comes to by going to and fro, over itself
 };
 
 /// What the next round aims at, where the one before missed the target.

@@ -101,6 +101,22 @@ TEST(NextAim, CutsAQuarterWhereAHalfWasInVain) {
     EXPECT_GE(rounds.aim.direct, 0.25 * second);
 }
 
+TEST(NextAim, AimsCloserWhereErrorsLightEachOther) {
+    const RoundErrors alone{0.001, 0.009, 0.004, 0.008, 0.0, 0.001, 0.0005};
+    RoundErrors amplified = alone;
+    amplified.amplified = 1.5;
+    Rounds one, other;
+    one.after(alone);
+    other.after(amplified);
+    EXPECT_LT(other.aim.indirect, 0.8 * one.aim.indirect);
+    // What rays read is wrong as long as it comes to far more than noise and bends.
+    amplified.amplified = 4.0;
+    Rounds unexplained;
+    unexplained.after(amplified);
+    EXPECT_TRUE(unexplained.settles);
+    EXPECT_DOUBLE_EQ(unexplained.aim.indirect, 0.002);
+}
+
 TEST(NextAim, DoesNotCutForNoiseOfLampsThatAreSeenInPart) {
     Rounds rounds;
     rounds.after({0.0052, 0.012, 0.011, 0.002, 0.005, 0.0052, 0.0005});
