@@ -20,6 +20,7 @@ constexpr int fewest_in_a_hurry = 128;  // check points at a time
 /// Of the target, that a check point's rays may leave: it evens out over hundreds of them.
 constexpr double noise_of_checks = 0.25;
 constexpr int fewest_rays_of_checks = 64;
+constexpr double rays_at_a_time = 4e6;
 constexpr double share_of_rays = 0.06;  // of those gathered with, particles may take
 constexpr std::size_t vertices_per_check = 8;
 constexpr double propagation_tolerance = 0.01;  // of what a residual comes to
@@ -37,6 +38,15 @@ void heed_energy(const EnergyReport& energy, const std::vector<Rgb>& weight, con
     const Rgb share =
         (energy.missing() - sum) * variance / (variance + noise).max(1e-300) / whole.max(1e-300);
     for (std::size_t i = 0; i < missing.size(); ++i) missing[i] += share * weight[i];
+}
+
+/// Into parts of a fraction of a second each, between which the clock is asked; how many.
+int divide(CheckEffort& effort) {
+    const double rays = 2.0 * effort.indirect_points * effort.rays;
+    const int parts = static_cast<int>(std::ceil(rays / rays_at_a_time));
+    effort.indirect_points = (effort.indirect_points + parts - 1) / parts;
+    effort.direct_points = (effort.direct_points + parts - 1) / parts;
+    return parts;
 }
 
 }  // namespace
@@ -112,12 +122,14 @@ MeasuredRound ErrorMeasure::at(const GatherAim& aim, std::uint64_t seed, bool is
         effort.direct_points = fewest_in_a_hurry;
         effort.indirect_points = fewest_in_a_hurry;
     }
+    const int parts = divide(effort);
     const ReflectedLight reflected = light.reflected();
     MeasuredRound round;
+    int done = 0;
     for (int times = 1; times <= (is_hurried ? most_in_a_hurry : most_checks); times *= 2) {
-        for (int k = times / 2; k < times && (k < 1 || !is_hurried || go_on()); ++k) {
-            CheckReport more = light.check(effort, mix(seed, static_cast<std::uint64_t>(k)));
-            round.checks = k > 0 ? joined(round.checks, more) : std::move(more);
+        for (; done < times * parts && (done < 1 || go_on()); ++done) {
+            CheckReport more = light.check(effort, mix(seed, static_cast<std::uint64_t>(done)));
+            round.checks = done > 0 ? joined(round.checks, more) : std::move(more);
         }
         judge_round(reflected, round);
         if (round.error.met()) carry_residual(seed, round);
