@@ -1,3 +1,4 @@
+#include "solver/accuracy/carried_residual.h"
 #include "solver/accuracy/check_points.h"
 #include "solver/accuracy/judge.h"
 #include "solver/display/vertex_irradiance.h"
@@ -59,6 +60,8 @@ void check_solution(const SolveStage& stage, const MeshLines& lines) {
     evidence.checks = &checks;
     evidence.light = light;
     evidence.energy = solution.energy;
+    evidence.carried =
+        carried_residual(scene, stage.rays, checks, solution.energy, mix(seed, 0x63617272));
     solution.error = judge(evidence);
 }
 
