@@ -21,13 +21,11 @@ namespace {
 
 constexpr double coarser = 2.0;  // times the target, in rounds that tell what the last ones need
 constexpr double settled = 0.5;  // of the target: changes that need no further round
-constexpr double one_round = 0.015;      // targets from here on need no rounds before
-constexpr double still_settling = 0.7;   // of the error before: rounds still bring it down
-constexpr double direct_noise = 0.25;    // of the target, that samples of lamps leave
-constexpr double balanced = 0.02;        // of the target, that may be missing of the energy
-constexpr double usually_missing = 0.3;  // of the target, as estimates are about three times errors
-constexpr double for_tolerance = 0.4;    // of the target, that the coarse solution may leave
-constexpr int most_contradictions = 1;   // of particles, that rounds are to mend
+constexpr double one_round = 0.015;     // targets from here on need no rounds before
+constexpr double still_settling = 0.7;  // of the error before: rounds still bring it down
+constexpr double direct_noise = 0.25;   // of the target, that samples of lamps leave
+constexpr double for_tolerance = 0.4;   // of the target, that the coarse solution may leave
+constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 /// Of a time limit: what is left when gathering ends is for check points, particles, and the rest.
@@ -64,7 +62,6 @@ class AccuracySolve {
     CoarseTransport::Observe observer() {
         return [this](int iteration, double residual) { return observe(iteration, residual); };
     }
-    EnergyAim energy_aim() const;
     /// Of the coarse solution: what was set, but no more than leaves the target within reach.
     double tolerance() const {
         return std::min(*solution_.settings.tolerance, for_tolerance * target_);
@@ -98,17 +95,6 @@ class AccuracySolve {
     double last_correction_ = std::numeric_limits<double>::infinity();
     std::optional<MeasuredRound> measured_;
 };
-
-/// What goes astray is counted to two fifths of the target, by chance alone at most.
-EnergyAim AccuracySolve::energy_aim() const {
-    EnergyAim aim;
-    aim.balanced = balanced * target_;
-    aim.likely = usually_missing * target_;
-    if (solution_.form_factors.open || std::ranges::max(backs_) > 0.0)
-        aim.outside_rays = static_cast<std::size_t>(
-            std::clamp(std::pow(0.5 / (0.4 * target_), 2), 4096.0, 262144.0));
-    return aim;
-}
 
 /// False if the work was stopped.
 bool AccuracySolve::prepare_transport() {
@@ -220,8 +206,11 @@ void AccuracySolve::run() {
     solution_.status = Status::limit;
     const double first_target = target_ < one_round ? coarser * target_ : target_;
     aim_ = first_aim(target_, first_target, fewest_rays);
-    if (prepare_transport() && light_.start(*transport_, backs_, energy_aim(), aim_.effort,
-                                            direct_noise * target_, tolerance(), observer())) {
+    if (prepare_transport() &&
+        light_.start(
+            *transport_, backs_,
+            energy_aim_for(target_, solution_.form_factors.open, std::ranges::max(backs_) > 0.0),
+            aim_.effort, direct_noise * target_, tolerance(), observer())) {
         aim_.rays = light_.noise().rays_for(
             first_noise(first_target) * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();

@@ -9,6 +9,11 @@ namespace patchlight {
 
 namespace {
 
+constexpr double balanced = 0.02;        // of the target, that may be missing of the energy
+constexpr double usually_missing = 0.3;  // of the target, as estimates are about three times errors
+constexpr double noise_of_outside = 0.4;  // of the target, in what goes astray
+constexpr std::size_t fewest_outside_rays = 4096, first_outside_rays = 262144,
+                      most_outside_rays = 131072, fewest_back_rays = 16384;
 constexpr int most_balances = 3;  // each leaves what patches' means do not show of the one before
 
 /// Of what is missing, the part that is no noise: the mean of what may be behind it, where `likely`
@@ -20,6 +25,19 @@ Rgb trusted(const Rgb& missing, const Rgb& standard_error, const Rgb& likely) {
 }
 
 }  // namespace
+
+EnergyAim energy_aim_for(double target, bool is_open, bool meets_backs) {
+    EnergyAim aim;
+    aim.balanced = balanced * target;
+    aim.likely = usually_missing * target;
+    aim.noise = noise_of_outside * target;
+    if (is_open || meets_backs)
+        aim.outside_rays = static_cast<std::size_t>(
+            std::clamp(std::pow(0.5 / aim.noise, 2), static_cast<double>(fewest_outside_rays),
+                       static_cast<double>(first_outside_rays)));
+    if (meets_backs) aim.back_rays = std::max(aim.outside_rays, fewest_back_rays);
+    return aim;
+}
 
 /// Light that is missing of what lamps give off, ∫ H dA in each channel, is missing of the field,
 /// and known but for what rays count outside. Where it is missing is not known: it is added in
@@ -49,6 +67,14 @@ std::vector<Rgb> GatheredLight::evened_out(const Rgb& missing, const std::vector
     return extra;
 }
 
+/// What meets backs or leaves the scene.
+OutsideFlux GatheredLight::light_astray() const {
+    const BackFlux backs = gather_at_backs(scene_, mesh_, rays_, *shown_, places(),
+                                           energy_aim_.back_rays, mix(seed_, 0x6261636b));
+    return measure_outside(scene_, mesh_, shown_->display, rays_, backs, energy_aim_.outside_rays,
+                           mix(seed_, 0x6f757473));
+}
+
 void GatheredLight::balance(double tolerance) {
     Rgb unsure = Rgb::Zero();  // of what is missing [W]
     for (int times = 0;; ++times) {
@@ -56,10 +82,15 @@ void GatheredLight::balance(double tolerance) {
         std::vector<Rgb> irradiance(mesh_.size());
         for (std::size_t i = 0; i < irradiance.size(); ++i)
             irradiance[i] = means.direct[i] + means.indirect[i];
-        energy_ = measure_energy(scene_, mesh_,
-                                 measure_outside(scene_, mesh_, shown_->display, rays_,
-                                                 energy_aim_.outside_rays, mix(seed_, 0x6f757473)),
-                                 irradiance);
+        energy_ = measure_energy(scene_, mesh_, light_astray(), irradiance);
+        if (energy_.standard_error > energy_aim_.noise &&
+            energy_aim_.outside_rays < most_outside_rays) {
+            const double times_more = std::pow(energy_.standard_error / energy_aim_.noise, 2);
+            energy_aim_.outside_rays = static_cast<std::size_t>(
+                std::min(times_more * static_cast<double>(energy_aim_.outside_rays),
+                         static_cast<double>(most_outside_rays)));
+            energy_ = measure_energy(scene_, mesh_, light_astray(), irradiance);
+        }
         if (times == 0) {
             Rgb arriving = Rgb::Zero();
             for (std::size_t i = 0; i < irradiance.size(); ++i)

@@ -159,22 +159,38 @@ struct Carrier {
         return sum;
     }
 
+    /// What one point adds to such a sum of what is missing, mean of both halves [W].
+    Rgb share_of(std::size_t k, const std::array<std::vector<Seen>, 2>& seen,
+                 const std::array<std::vector<Rgb>, 2>& missing) const {
+        const Rgb& reflectance = points[k].reflectance;
+        const double outside = 0.5 * (seen[0][k].outside + seen[1][k].outside);
+        return (1.0 - reflectance + outside * reflectance) * 0.5 * (missing[0][k] + missing[1][k]) /
+               (points[k].density * static_cast<double>(points.size()));
+    }
+
     /// Adds what is missing alike everywhere, so that all that is missing would be lost as the
-    /// energy says, as far as that is the surer number.
-    void heed_energy(const std::array<std::vector<Seen>, 2>& seen,
-                     std::array<std::vector<Rgb>, 2>& missing) const {
-        std::array<Rgb, 2> sum;
-        for (std::size_t h = 0; h < 2; ++h)
-            sum[h] = lost(seen[h], [&](std::size_t k) { return missing[h][k]; });
-        const Rgb variance = 0.5 * (sum[0] - sum[1]).square(),
-                  noise = (energy.standard_error * energy.emitted).square();
+    /// energy says, as far as that is the surer number. Returns the variance of what was added,
+    /// over the displayed light, that both numbers leave [1].
+    Rgb heed_energy(const std::array<std::vector<Seen>, 2>& seen,
+                    std::array<std::vector<Rgb>, 2>& missing) const {
+        std::array<Rgb, 2> sum, whole;
         for (std::size_t h = 0; h < 2; ++h) {
-            const Rgb whole = lost(seen[h], [&](std::size_t k) { return points[k].light; });
+            sum[h] = lost(seen[h], [&](std::size_t k) { return missing[h][k]; });
+            whole[h] = lost(seen[h], [&](std::size_t k) { return points[k].light; }).max(1e-300);
+        }
+        const Rgb mean = 0.5 * (sum[0] + sum[1]) / static_cast<double>(points.size());
+        Rgb variance = Rgb::Zero();
+        for (std::size_t k = 0; k < points.size(); ++k)
+            variance += (share_of(k, seen, missing) - mean).square();
+        variance = variance.max(0.5 * (sum[0] - sum[1]).square());
+        const Rgb noise = (energy.standard_error * energy.emitted).square();
+        for (std::size_t h = 0; h < 2; ++h) {
             const Rgb share = (energy.missing() - sum[h]) * (variance + 1e-300) /
-                              (variance + noise + 1e-300) / whole.max(1e-300);
+                              (variance + noise + 1e-300) / whole[h];
             for (std::size_t k = 0; k < points.size(); ++k)
                 missing[h][k] += share * points[k].light;
         }
+        return variance * noise / (variance + noise + 1e-300) / (whole[0] * whole[1]);
     }
 };
 
@@ -190,12 +206,15 @@ MeasuredError carried_residual(const Scene& scene, const RayScene& rays, const C
         seen[h] = carrier.look(mix(seed, h));
         missing[h] = carrier.missing(h, seen[h]);
     }
-    carrier.heed_energy(seen, missing);
+    const Rgb doubt = carrier.heed_energy(seen, missing).sqrt();
     std::vector<double> products;
     for (std::size_t k = 0; k < carrier.points.size(); ++k) {
         const ResidualPoint& point = carrier.points[k];
-        products.push_back(luminance(point.reflectance * missing[0][k]) *
-                           luminance(point.reflectance * missing[1][k]) / point.density);
+        const double alike = luminance(point.reflectance * doubt * point.light);
+        products.push_back((luminance(point.reflectance * missing[0][k]) *
+                                luminance(point.reflectance * missing[1][k]) +
+                            alike * alike) /
+                           point.density);
     }
     return mean_of(products);
 }

@@ -4,6 +4,7 @@
 #include "solver/accuracy/coarse_solution.h"
 #include "solver/accuracy/gather_noise.h"
 #include "solver/accuracy/judge.h"
+#include "solver/accuracy/outside_flux.h"
 #include "solver/accuracy/shown_places.h"
 #include "solver/display/display_pass.h"
 
@@ -29,9 +30,14 @@ struct GatherAim {
 /// How well the light that is displayed is accounted for.
 struct EnergyAim {
     std::size_t outside_rays = 4096;  // count what meets backs or leaves the scene
+    std::size_t back_rays = 0;        // gather what meets backs there
+    double noise = 1.0;      // of the light given off: more rays count where they leave more
     double balanced = 1e-4;  // of the light given off: what is missing is not worth a correction
     double likely = 1e-2;    // of the light that arrives, what a field is usually missing
 };
+
+/// For a target; whether light leaves the scene or meets backs [1].
+EnergyAim energy_aim_for(double target, bool is_open, bool meets_backs);
 
 /// The light of a scene as it is displayed, and the coarse solution behind it. Each round gathers
 /// from what a round before displayed, and sends on with the coarse transport what that changed.
@@ -97,6 +103,7 @@ class GatheredLight {
     void read_coarse();
     void read_newest();
     void balance(double tolerance);
+    OutsideFlux light_astray() const;
     void show(const SplitIrradiance& gathered);
     void show_what_there_is(double tolerance, const CoarseTransport::Observe& observe);
     std::vector<Rgb> evened_out(const Rgb& missing, const std::vector<Rgb>& irradiance,

@@ -86,6 +86,7 @@ struct Counter {
     const BrightPoints& bright;
     const RayScene& rays;
     const SobolPoints& points;
+    const std::vector<bool>& gathered;
     std::array<std::uint32_t, 4> seeds;
 
     /// Of rays [first, end), whole batches.
@@ -113,6 +114,7 @@ struct Counter {
             rays.land(batch, ray_batch, landings);
             for (std::size_t k = 0; k < ray_batch; ++k) {
                 if (landings.landing[k] == Landing::front) continue;
+                if (landings.landing[k] == Landing::back && gathered[landings.surface[k]]) continue;
                 (landings.landing[k] == Landing::back ? tally.backs : tally.escaped) += power[k];
                 tally.square += power[k] * power[k];
             }
@@ -124,13 +126,14 @@ struct Counter {
 }  // namespace
 
 OutsideFlux measure_outside(const Scene& scene, const PatchMesh& mesh, const DisplayMesh& display,
-                            const RayScene& rays, std::size_t count, std::uint64_t seed) {
+                            const RayScene& rays, const BackFlux& backs, std::size_t count,
+                            std::uint64_t seed) {
     OutsideFlux flux;
     const BrightPoints bright(scene, mesh, display, rays);
     if (!(bright.total() > 0.0)) return flux;
     const std::size_t chunks = (count + rays_at_a_time - 1) / rays_at_a_time;
     const SobolPoints points(chunks * rays_at_a_time);
-    Counter counter{bright, rays, points, {}};
+    Counter counter{bright, rays, points, backs.gathered, {}};
     for (std::uint64_t d = 0; d < counter.seeds.size(); ++d)
         counter.seeds[d] = static_cast<std::uint32_t>(mix(seed, d));
     std::vector<Tally> tallies(chunks);
@@ -150,6 +153,8 @@ OutsideFlux measure_outside(const Scene& scene, const PatchMesh& mesh, const Dis
     for (Eigen::Index c = 0; c < 3; ++c)
         if (astray[c] > 0.0)
             flux.standard_error[c] = std::max(flux.standard_error[c], unseen * astray[c] / n);
+    flux.backs += backs.flux;
+    flux.standard_error = (flux.standard_error.square() + backs.variance).sqrt();
     return flux;
 }
 

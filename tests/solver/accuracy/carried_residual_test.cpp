@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace patchlight::carried_residual_test {
 namespace {
@@ -79,6 +80,21 @@ TEST(CarriedResidual, WhatIsMissingEverywhereIsWhatTheEnergySays) {
                 0.02 * missed / (1.0 - reflectance) * std::sqrt(6.0));
     energy.absorbed = energy.emitted;
     EXPECT_NEAR(carried(closed, report, energy), 0.0, 0.1 * missed);
+}
+
+TEST(CarriedResidual, TheNoiseOfTheEnergyIsADoubtAboutAll) {
+    constexpr double reflectance = 0.8, doubt = 0.02;
+    const EngineScene closed(room(), 1.0);
+    CheckReport report = report_of(closed, reflectance, 7, 0);
+    std::mt19937 chance(2);
+    for (ResidualPoint& point : report.indirect_points)  // far too noisy to tell
+        for (Rgb& half : point.missing) half = Rgb::Constant(20.0 * (uniform(chance) - 0.5));
+    EnergyReport energy;
+    energy.emitted = energy.absorbed = Rgb::Constant(6.0 * (1.0 - reflectance));  // light is 1
+    const double sure = carried_residual(closed.cut.scene, closed.rays, report, energy, 1).square;
+    energy.standard_error = doubt;
+    const double unsure = carried_residual(closed.cut.scene, closed.rays, report, energy, 1).square;
+    EXPECT_NEAR((unsure - sure) / std::pow(reflectance * doubt * std::sqrt(6.0), 2), 1.0, 0.2);
 }
 
 TEST(CarriedResidual, IsTheResidualWhereNothingIsSentOn) {
