@@ -12,6 +12,7 @@ namespace {
 constexpr double balanced = 0.02;        // of the target, that may be missing of the energy
 constexpr double usually_missing = 0.3;  // of the target, as estimates are about three times errors
 constexpr double noise_of_outside = 0.4;  // of the target, in what goes astray
+constexpr double noise_of_backs = 0.25;   // of that, where it is gathered at backs
 constexpr std::size_t fewest_outside_rays = 4096, first_outside_rays = 262144,
                       most_outside_rays = 131072, fewest_back_rays = 16384;
 constexpr int most_balances = 3;  // each leaves what patches' means do not show of the one before
@@ -31,7 +32,7 @@ EnergyAim energy_aim_for(double target, bool is_open, bool meets_backs) {
     aim.balanced = balanced * target;
     aim.likely = usually_missing * target;
     aim.noise = noise_of_outside * target;
-    if (is_open || meets_backs)
+    if (is_open)
         aim.outside_rays = static_cast<std::size_t>(
             std::clamp(std::pow(0.5 / aim.noise, 2), static_cast<double>(fewest_outside_rays),
                        static_cast<double>(first_outside_rays)));
@@ -68,11 +69,20 @@ std::vector<Rgb> GatheredLight::evened_out(const Rgb& missing, const std::vector
 }
 
 /// What meets backs or leaves the scene.
-OutsideFlux GatheredLight::light_astray() const {
-    const BackFlux backs = gather_at_backs(scene_, mesh_, rays_, *shown_, places(),
-                                           energy_aim_.back_rays, mix(seed_, 0x6261636b));
-    return measure_outside(scene_, mesh_, shown_->display, rays_, backs, energy_aim_.outside_rays,
-                           mix(seed_, 0x6f757473));
+OutsideFlux GatheredLight::light_astray() {
+    if (!backs_open_)
+        backs_open_.emplace(scene_, mesh_, rays_, energy_aim_.back_rays, mix(seed_, 0x6261636b));
+    OutsideFlux outside =
+        measure_outside(scene_, mesh_, shown_->display, rays_, backs_open_->gathered(),
+                        energy_aim_.outside_rays, mix(seed_, 0x6f757473));
+    double emitted = 0.0;
+    for (PatchIndex i = 0; i < mesh_.size(); ++i)
+        emitted += mesh_.patches[i].area * luminance(listed_exitance_[i] + other_exitance_[i]);
+    const BackFlux backs = backs_open_->flux(
+        *shown_, places(), noise_of_backs * energy_aim_.noise * emitted, energy_aim_.back_rays);
+    outside.backs += backs.flux;
+    outside.standard_error = (outside.standard_error.square() + backs.variance).sqrt();
+    return outside;
 }
 
 void GatheredLight::balance(double tolerance) {

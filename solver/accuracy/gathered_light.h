@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/accuracy/back_flux.h"
 #include "solver/accuracy/check_points.h"
 #include "solver/accuracy/coarse_solution.h"
 #include "solver/accuracy/gather_noise.h"
@@ -103,7 +104,7 @@ class GatheredLight {
     void read_coarse();
     void read_newest();
     void balance(double tolerance);
-    OutsideFlux light_astray() const;
+    OutsideFlux light_astray();
     void show(const SplitIrradiance& gathered);
     void show_what_there_is(double tolerance, const CoarseTransport::Observe& observe);
     std::vector<Rgb> evened_out(const Rgb& missing, const std::vector<Rgb>& irradiance,
@@ -128,6 +129,7 @@ class GatheredLight {
     double shown_norm_ = 0.0;  // of what is displayed [W/m]
     EnergyReport energy_;
     EnergyAim energy_aim_;
+    std::optional<BackGather> backs_open_;
     std::optional<TreeDisplay> shown_;
     bool read_coarsely_ = false;
     std::size_t direct_shown_ = 0;  // vertices where direct light was gathered, when it was shown

@@ -126,14 +126,14 @@ struct Counter {
 }  // namespace
 
 OutsideFlux measure_outside(const Scene& scene, const PatchMesh& mesh, const DisplayMesh& display,
-                            const RayScene& rays, const BackFlux& backs, std::size_t count,
-                            std::uint64_t seed) {
+                            const RayScene& rays, const std::vector<bool>& gathered,
+                            std::size_t count, std::uint64_t seed) {
     OutsideFlux flux;
     const BrightPoints bright(scene, mesh, display, rays);
     if (!(bright.total() > 0.0)) return flux;
     const std::size_t chunks = (count + rays_at_a_time - 1) / rays_at_a_time;
     const SobolPoints points(chunks * rays_at_a_time);
-    Counter counter{bright, rays, points, backs.gathered, {}};
+    Counter counter{bright, rays, points, gathered, {}};
     for (std::uint64_t d = 0; d < counter.seeds.size(); ++d)
         counter.seeds[d] = static_cast<std::uint32_t>(mix(seed, d));
     std::vector<Tally> tallies(chunks);
@@ -153,8 +153,6 @@ OutsideFlux measure_outside(const Scene& scene, const PatchMesh& mesh, const Dis
     for (Eigen::Index c = 0; c < 3; ++c)
         if (astray[c] > 0.0)
             flux.standard_error[c] = std::max(flux.standard_error[c], unseen * astray[c] / n);
-    flux.backs += backs.flux;
-    flux.standard_error = (flux.standard_error.square() + backs.variance).sqrt();
     return flux;
 }
 

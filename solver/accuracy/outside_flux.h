@@ -1,11 +1,11 @@
 #pragma once
 
-#include "solver/accuracy/back_flux.h"
 #include "solver/mesh/patch_mesh.h"
 #include "solver/rays/ray_scene.h"
 #include "solver/solution.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace patchlight {
 
@@ -17,9 +17,9 @@ struct OutsideFlux {
 
 /// `count` rays start where the display is bright, in proportion to its luminance, cosine-
 /// distributed: 4 times as many, at most half the noise. Where none of them goes astray the sums
-/// are exactly 0. `backs`: what is gathered already; rays that land there are not counted again.
+/// are exactly 0. Backs that are gathered at, per surface, are not counted.
 OutsideFlux measure_outside(const Scene& scene, const PatchMesh& mesh, const DisplayMesh& display,
-                            const RayScene& rays, const BackFlux& backs, std::size_t count,
-                            std::uint64_t seed);
+                            const RayScene& rays, const std::vector<bool>& gathered,
+                            std::size_t count, std::uint64_t seed);
 
 }  // namespace patchlight
