@@ -37,8 +37,8 @@ struct BackGather::Tally {
     }
 };
 
-BackGather::BackGather(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                       std::size_t count, std::uint64_t seed)
+BackGather::BackGather(const Scene& scene, const PatchMesh& mesh, const CoplanarOverlaps& overlaps,
+                       const RayScene& rays, std::size_t count, std::uint64_t seed)
     : scene_(scene),
       mesh_(mesh),
       rays_(rays),
@@ -49,7 +49,7 @@ BackGather::BackGather(const Scene& scene, const PatchMesh& mesh, const RayScene
     std::vector<Back> backs(n);
     std::vector<std::size_t> fronts(n, 0);
     tbb::parallel_for(SurfaceIndex{0}, static_cast<SurfaceIndex>(n), [&](SurfaceIndex s) {
-        if (scene.materials[scene.surfaces[s].material].two_sided) return;
+        if (overlaps.any(s)) return;
         backs[s] = back_of(s);
         for (std::size_t first = 0; backs[s].area() > 0.0 && first < first_rays; first += ray_batch)
             fronts[s] += look(backs[s], first, nullptr, nullptr).fronts;

@@ -20,9 +20,9 @@ class BackGather {
   public:
     /// Which backs are open a few rays from each tell, about `count` in all; none are where there
     /// are too many surfaces for that. Those that a few rays miss are left out: most of them face
-    /// away from all light.
-    BackGather(const Scene& scene, const PatchMesh& mesh, const RayScene& rays, std::size_t count,
-               std::uint64_t seed);
+    /// away from all light. So are those of surfaces in whose plane others lie, that may hide them.
+    BackGather(const Scene& scene, const PatchMesh& mesh, const CoplanarOverlaps& overlaps,
+               const RayScene& rays, std::size_t count, std::uint64_t seed);
 
     /// Per surface: whether its back is gathered at.
     const std::vector<bool>& gathered() const { return gathered_; }

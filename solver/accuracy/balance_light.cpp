@@ -11,8 +11,8 @@ namespace {
 
 constexpr double balanced = 0.02;        // of the target, that may be missing of the energy
 constexpr double usually_missing = 0.3;  // of the target, as estimates are about three times errors
-constexpr double noise_of_outside = 0.4;  // of the target, in what goes astray
-constexpr double noise_of_backs = 0.25;   // of that, where it is gathered at backs
+constexpr double noise_of_outside = 0.25;  // of the target, in what goes astray
+constexpr double noise_of_backs = 0.25;    // of that, where it is gathered at backs
 constexpr std::size_t fewest_outside_rays = 4096, first_outside_rays = 262144,
                       most_outside_rays = 131072, fewest_back_rays = 16384;
 constexpr int most_balances = 3;  // each leaves what patches' means do not show of the one before
@@ -71,7 +71,8 @@ std::vector<Rgb> GatheredLight::evened_out(const Rgb& missing, const std::vector
 /// What meets backs or leaves the scene.
 OutsideFlux GatheredLight::light_astray() {
     if (!backs_open_)
-        backs_open_.emplace(scene_, mesh_, rays_, energy_aim_.back_rays, mix(seed_, 0x6261636b));
+        backs_open_.emplace(scene_, mesh_, overlaps_, rays_, energy_aim_.back_rays,
+                            mix(seed_, 0x6261636b));
     OutsideFlux outside =
         measure_outside(scene_, mesh_, shown_->display, rays_, backs_open_->gathered(),
                         energy_aim_.outside_rays, mix(seed_, 0x6f757473));

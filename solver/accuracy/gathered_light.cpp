@@ -32,6 +32,7 @@ GatheredLight::GatheredLight(const Scene& scene, const PatchMesh& mesh, const Ra
     : scene_(scene),
       mesh_(mesh),
       rays_(rays),
+      overlaps_(lines.overlaps),
       seed_(seed),
       pass_(scene, mesh, rays, lines, seed, std::move(go_on)),
       locator_(scene, mesh, rays),

@@ -113,6 +113,7 @@ class GatheredLight {
     const Scene& scene_;
     const PatchMesh& mesh_;
     const RayScene& rays_;
+    const CoplanarOverlaps& overlaps_;
     std::uint64_t seed_;
     DisplayPass pass_;
     PatchLocator locator_;

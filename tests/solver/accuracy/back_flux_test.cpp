@@ -25,7 +25,7 @@ struct Shown {
         std::fill(shown.display.radiosity.begin(), shown.display.radiosity.end(), radiosity);
     }
     BackGather gather(std::size_t count) const {
-        return {of.cut.scene, of.cut.mesh, of.rays, count, 1};
+        return {of.cut.scene, of.cut.mesh, of.cut.lines.overlaps, of.rays, count, 1};
     }
     BackFlux flux(const BackGather& gather, double noise = 1e-3) const {
         const ShownPlaces places(of.cut.scene, of.cut.mesh, of.rays, locator, tree, shown);
@@ -90,6 +90,16 @@ TEST(BackGather, ASurfaceThatIsLitFromBothSidesHasNoBack) {
     const Shown room(scene, 0.5, Rgb::Ones());
     EXPECT_EQ(room.flux(room.gather(65536)).flux[0], 0.0);
     EXPECT_EQ(room.counted(room.gather(65536).gathered()).backs[0], 0.0);
+}
+
+TEST(BackGather, AWallWithoutThicknessHasNoBack) {
+    Scene scene = room();
+    add_box(scene, Vec3(1, 0, 0), Vec3(2, 1, 1), Facing::inwards);
+    const Shown rooms(scene, 0.5, Rgb::Ones());
+    const BackGather gather = rooms.gather(65536);
+    EXPECT_EQ(gather.gathered(), std::vector<bool>(12, false));
+    EXPECT_EQ(rooms.flux(gather).flux[0], 0.0);
+    EXPECT_EQ(rooms.counted(gather.gathered()).backs[0], 0.0);
 }
 
 TEST(BackGather, IsLeftOutWhereThereAreTooManySurfaces) {
