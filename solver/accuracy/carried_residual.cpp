@@ -5,7 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
-#include <limits>
+#include <numbers>
 
 namespace patchlight {
 
@@ -17,6 +17,7 @@ constexpr double dies_out = 0.02;             // of the sum: what further bounce
 constexpr std::size_t most_points = 1024;     // that are carried
 constexpr std::size_t most_direct = 384;      // of direct light, that are looked up
 constexpr float same_side = 0.5f;             // least cosine between normals
+constexpr double disk_over_share = 2.25;      // of the area that a point stands for
 constexpr std::int32_t none = -1;
 
 using Points = std::vector<ResidualPoint>;
@@ -29,24 +30,28 @@ Points thinned(const Points& points, std::size_t most) {
     return some;
 }
 
-/// Finds the nearest of points on an object that face the same way.
+/// Finds the point that stands for a place: on the same object, facing the same way, the nearest in
+/// widths of what each stands for, as they lie far denser where light is bright or steep. None if
+/// that is beside it: disks so large leave a tenth of a random cover bare.
 class Nearest {
   public:
     Nearest(const Points& points, std::size_t objects) : of_object_(objects) {
+        const double disk = disk_over_share / static_cast<double>(points.size());
         for (std::size_t k = 0; k < points.size(); ++k) {
             const GatherPoint& place = points[k].place;
-            of_object_[points[k].object].push_back({place.position.cast<float>(),
-                                                    place.normal.cast<float>(),
-                                                    static_cast<std::int32_t>(k)});
+            const double squared = disk / points[k].density / std::numbers::pi;
+            of_object_[points[k].object].push_back(
+                {place.position.cast<float>(), place.normal.cast<float>(),
+                 static_cast<float>(1.0 / squared), static_cast<std::int32_t>(k)});
         }
     }
     std::int32_t to(const Vec3& p, const Vec3& normal, ObjectIndex object) const {
         const Eigen::Vector3f at = p.cast<float>(), facing = normal.cast<float>();
         std::int32_t nearest = none;
-        float least = std::numeric_limits<float>::infinity();
+        float least = 1.0f;
         for (const Place& place : of_object_[object]) {
-            const float squared = (place.position - at).squaredNorm();
-            if (squared >= least || place.normal.dot(facing) < same_side) continue;
+            const float squared = place.per_square * (place.position - at).squaredNorm();
+            if (squared > least || place.normal.dot(facing) < same_side) continue;
             least = squared;
             nearest = place.number;
         }
@@ -56,6 +61,7 @@ class Nearest {
   private:
     struct Place {
         Eigen::Vector3f position, normal;
+        float per_square;  // of the disk's radius [1/m²]
         std::int32_t number;
     };
     std::vector<std::vector<Place>> of_object_;

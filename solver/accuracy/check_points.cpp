@@ -144,15 +144,11 @@ struct Checker {
         tbb::parallel_for(std::size_t{0}, n, [&](std::size_t k) {
             const CheckPoint checked = point(pick, k, n);
             const Rgb value = shown_at(checked, values);
-            const Rgb whole = shown.arriving.direct.empty()
-                                  ? shown_at(checked, shown.arriving.indirect)
-                                  : Rgb(shown_at(checked, shown.arriving.indirect) +
-                                        shown_at(checked, shown.arriving.direct));
             std::array<double, 2> miss{};
             Rgb arriving = Rgb::Zero();
             missing[k] = Rgb::Zero();
             points[k] = {checked.place,       checked.object, checked.density,
-                         checked.reflectance, whole,          {Rgb::Zero(), Rgb::Zero()}};
+                         checked.reflectance, value,          {Rgb::Zero(), Rgb::Zero()}};
             for (std::uint64_t half = 0; half < 2; ++half) {
                 const Rgb there = anew(checked.place, key(k, 3 + half)), beyond = value - there;
                 arriving += 0.5 * there;

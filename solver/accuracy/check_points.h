@@ -25,9 +25,9 @@ MeasuredError mean_of(const std::vector<double>& numbers);
 struct ResidualPoint {
     GatherPoint place;
     ObjectIndex object = 0;
-    double density = 1.0;                                  // of points [1/m²]
-    Rgb reflectance = Rgb::Zero();                         // [1]
-    Rgb light = Rgb::Zero();                               // all irradiance as displayed [W/m²]
+    double density = 1.0;           // of points [1/m²]
+    Rgb reflectance = Rgb::Zero();  // [1]
+    Rgb light = Rgb::Zero();        // the irradiance in question as displayed [W/m²]
     std::array<Rgb, 2> missing{Rgb::Zero(), Rgb::Zero()};  // of it, gathered twice [W/m²]
 };
 
