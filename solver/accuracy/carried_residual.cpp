@@ -5,6 +5,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 namespace patchlight {
@@ -17,7 +18,7 @@ constexpr double dies_out = 0.02;             // of the sum: what further bounce
 constexpr std::size_t most_points = 1024;     // that are carried
 constexpr std::size_t most_direct = 384;      // of direct light, that are looked up
 constexpr float same_side = 0.5f;             // least cosine between normals
-constexpr double disk_over_share = 2.25;      // of the area that a point stands for
+constexpr double disk_over_share = 16.0;      // of the area that a point stands for
 constexpr std::int32_t none = -1;
 
 using Points = std::vector<ResidualPoint>;
@@ -30,9 +31,9 @@ Points thinned(const Points& points, std::size_t most) {
     return some;
 }
 
-/// Finds the point that stands for a place: on the same object, facing the same way, the nearest in
-/// widths of what each stands for, as they lie far denser where light is bright or steep. None if
-/// that is beside it: disks so large leave a tenth of a random cover bare.
+/// Finds the point that stands for a place: the nearest on the same object that faces the same way.
+/// Points lie far denser where light is bright or steep: such a one stands for no place many widths
+/// of its share of the area away.
 class Nearest {
   public:
     Nearest(const Points& points, std::size_t objects) : of_object_(objects) {
@@ -42,16 +43,17 @@ class Nearest {
             const double squared = disk / points[k].density / std::numbers::pi;
             of_object_[points[k].object].push_back(
                 {place.position.cast<float>(), place.normal.cast<float>(),
-                 static_cast<float>(1.0 / squared), static_cast<std::int32_t>(k)});
+                 static_cast<float>(squared), static_cast<std::int32_t>(k)});
         }
     }
     std::int32_t to(const Vec3& p, const Vec3& normal, ObjectIndex object) const {
         const Eigen::Vector3f at = p.cast<float>(), facing = normal.cast<float>();
         std::int32_t nearest = none;
-        float least = 1.0f;
+        float least = std::numeric_limits<float>::infinity();
         for (const Place& place : of_object_[object]) {
-            const float squared = place.per_square * (place.position - at).squaredNorm();
-            if (squared > least || place.normal.dot(facing) < same_side) continue;
+            const float squared = (place.position - at).squaredNorm();
+            if (squared >= least || squared > place.reach || place.normal.dot(facing) < same_side)
+                continue;
             least = squared;
             nearest = place.number;
         }
@@ -61,7 +63,7 @@ class Nearest {
   private:
     struct Place {
         Eigen::Vector3f position, normal;
-        float per_square;  // of the disk's radius [1/m²]
+        float reach;  // the disk's radius, squared [m²]
         std::int32_t number;
     };
     std::vector<std::vector<Place>> of_object_;

@@ -91,8 +91,9 @@ double beyond_residual(const Evidence& evidence, double standard_errors) {
     if (!evidence.carried) return 0.0;
     const CheckReport& checks = *evidence.checks;
     const double variance = checks.direct.variance + evidence.carried->variance,
-                 square = checks.direct.square + evidence.carried->square +
-                          standard_errors * std::sqrt(variance),
+                 square = flattened * flattened *
+                          (checks.direct.square + evidence.carried->square +
+                           standard_errors * std::sqrt(variance)),
                  counted = std::pow(passed_on * checks.at_most(standard_errors), 2);
     return std::sqrt(std::max(0.0, square - counted)) / evidence.light.norm;
 }

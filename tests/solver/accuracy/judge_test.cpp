@@ -100,10 +100,11 @@ TEST(Judge, IsNeverBelowWhatTheResidualComesToFromPointToPoint) {
     judged.evidence.carried = MeasuredError{0.01, 0.0, 0.0, 400};  // the residual's own square
     EXPECT_EQ(*judge(judged.evidence, 0.0).form_factors, 0.0) << "passed_on counts more";
     judged.evidence.carried->square = 0.25;
-    EXPECT_NEAR(*judge(judged.evidence, 0.0).estimate, std::sqrt(0.03 + 0.25) / 2.0, rounding);
-    judged.evidence.carried->variance = 0.01;
-    EXPECT_NEAR(*judge(judged.evidence, 2.0).estimate, std::sqrt(0.03 + 0.25 + 2 * 0.1) / 2.0,
+    EXPECT_NEAR(*judge(judged.evidence, 0.0).estimate, flattened * std::sqrt(0.03 + 0.25) / 2.0,
                 rounding);
+    judged.evidence.carried->variance = 0.01;
+    EXPECT_NEAR(*judge(judged.evidence, 2.0).estimate,
+                flattened * std::sqrt(0.03 + 0.25 + 2 * 0.1) / 2.0, rounding);
 }
 
 TEST(Judge, IsNeverBelowWhatParticlesOrTheEnergyProve) {
