@@ -44,8 +44,7 @@ TEST(GapLines, ALampCloseBelowTheCeilingIsOutlinedOnIt) {
             EXPECT_NEAR(std::abs(end.y() - 0.55), 0.15, rounding);
         }
     }
-    for (SurfaceIndex s = 0; s < lines.size(); ++s)
-        EXPECT_EQ(lines[s].empty(), s != ceiling) << s;
+    for (SurfaceIndex s = 0; s < lines.size(); ++s) EXPECT_EQ(lines[s].empty(), s != ceiling) << s;
 }
 
 TEST(GapLines, TurnWithTheScene) {
