@@ -15,6 +15,7 @@ constexpr double noise_of_outside = 0.25;  // of the target, in what goes astray
 constexpr double noise_of_backs = 0.25;    // of that, where it is gathered at backs
 constexpr std::size_t fewest_outside_rays = 4096, first_outside_rays = 262144,
                       most_outside_rays = 131072, fewest_back_rays = 16384;
+constexpr double sure_to_differ = 3.0;  // standard errors
 constexpr int most_balances = 3;  // each leaves what patches' means do not show of the one before
 
 /// Of what is missing, the part that is no noise: the mean of what may be behind it, where `likely`
@@ -81,8 +82,14 @@ OutsideFlux GatheredLight::light_astray() {
         emitted += mesh_.patches[i].area * luminance(listed_exitance_[i] + other_exitance_[i]);
     const BackFlux backs = backs_open_->flux(
         *shown_, places(), noise_of_backs * energy_aim_.noise * emitted, energy_aim_.back_rays);
-    outside.backs += backs.flux;
-    outside.standard_error = (outside.standard_error.square() + backs.variance).sqrt();
+    // Rays from backs may all miss a lamp that is small; those that start there do not.
+    const bool agree =
+        ((backs.flux - outside.on_gathered).abs() <= sure_to_differ * outside.error_on_gathered)
+            .all() ||
+        outside.on_gathered.isZero(0.0);
+    outside.backs += agree ? backs.flux : outside.on_gathered;
+    const Rgb variance = agree ? backs.variance : Rgb(outside.error_on_gathered.square());
+    outside.standard_error = (outside.standard_error.square() + variance).sqrt();
     return outside;
 }
 

@@ -80,6 +80,7 @@ class BrightPoints {
 
 struct Tally {
     Rgb backs = Rgb::Zero(), escaped = Rgb::Zero(), square = Rgb::Zero();
+    Rgb gathered = Rgb::Zero(), gathered_square = Rgb::Zero();
 };
 
 struct Counter {
@@ -114,7 +115,11 @@ struct Counter {
             rays.land(batch, ray_batch, landings);
             for (std::size_t k = 0; k < ray_batch; ++k) {
                 if (landings.landing[k] == Landing::front) continue;
-                if (landings.landing[k] == Landing::back && gathered[landings.surface[k]]) continue;
+                if (landings.landing[k] == Landing::back && gathered[landings.surface[k]]) {
+                    tally.gathered += power[k];
+                    tally.gathered_square += power[k] * power[k];
+                    continue;
+                }
                 (landings.landing[k] == Landing::back ? tally.backs : tally.escaped) += power[k];
                 tally.square += power[k] * power[k];
             }
@@ -141,12 +146,15 @@ OutsideFlux measure_outside(const Scene& scene, const PatchMesh& mesh, const Dis
         tallies[chunk] = counter.count(chunk * rays_at_a_time, (chunk + 1) * rays_at_a_time);
     });
     const double n = static_cast<double>(points.size());
-    Rgb square = Rgb::Zero();
+    Rgb square = Rgb::Zero(), gathered_square = Rgb::Zero();
     for (const Tally& tally : tallies) {
         flux.backs += tally.backs / n;
         flux.escaped += tally.escaped / n;
         square += tally.square / n;
+        flux.on_gathered += tally.gathered / n;
+        gathered_square += tally.gathered_square / n;
     }
+    flux.error_on_gathered = ((gathered_square - flux.on_gathered.square()).max(0.0) / n).sqrt();
     const Rgb astray = flux.backs + flux.escaped;
     flux.standard_error = ((square - astray * astray).max(0.0) / n).sqrt();
     // Where all go astray but a few that none of them met, they are alike by chance.

@@ -13,6 +13,8 @@ namespace patchlight {
 struct OutsideFlux {
     Rgb backs = Rgb::Zero(), escaped = Rgb::Zero();
     Rgb standard_error = Rgb::Zero();  // of both together
+    Rgb on_gathered = Rgb::Zero();     // on backs that are gathered at, in neither
+    Rgb error_on_gathered = Rgb::Zero();
 };
 
 /// `count` rays start where the display is bright, in proportion to its luminance, cosine-
