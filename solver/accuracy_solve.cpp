@@ -3,15 +3,13 @@
 #include "solver/accuracy/next_aim.h"
 #include "solver/accuracy/sensor_light.h"
 #include "solver/display/vertex_radiosity.h"
-#include "solver/form_factors/outside_rays.h"
-#include "solver/make_engine.h"
+#include "solver/prepare_transport.h"
 #include "solver/solve_stage.h"
 #include "solver/transport/patch_fields.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -66,10 +64,11 @@ class AccuracySolve {
     double tolerance() const {
         return std::min(*solution_.settings.tolerance, for_tolerance * target_);
     }
-    bool prepare_transport();
+    bool prepare();
     bool gather(double coarseness);
     ErrorMeasure error_measure() const {
-        return {stage_.scene, solution_.mesh, light_, backs_, escaped_, stage_.rays, target_};
+        return {stage_.scene,      solution_.mesh, light_, prepared_.backs,
+                prepared_.escaped, stage_.rays,    target_};
     }
     void measure();
     void check_from_lamps();
@@ -86,10 +85,7 @@ class AccuracySolve {
     double target_;
     StopReason stopped_ = StopReason::tolerance;
     GatheredLight light_;
-    ExchangeMatrix exchange_;
-    std::vector<double> backs_, escaped_;  // shares of each patch's light [1]
-    std::unique_ptr<FormFactorEngine> engine_;
-    std::unique_ptr<CoarseTransport> transport_;
+    PreparedTransport prepared_;
     GatherAim aim_;
     NextAim next_aim_;
     double last_correction_ = std::numeric_limits<double>::infinity();
@@ -97,26 +93,10 @@ class AccuracySolve {
 };
 
 /// False if the work was stopped.
-bool AccuracySolve::prepare_transport() {
-    PatchFields fields = make_patch_fields(stage_.scene, solution_.mesh);
-    if (solution_.settings.method == Method::shooting) {
-        engine_ = make_engine(stage_.scene, solution_.mesh, stage_.rays, solution_.settings,
-                              [this] { return go_on(); });
-        engine_->give_up_unless([this] { return stage_.watch.in_time(); });
-        transport_ = std::make_unique<ShotTransport>(*engine_, fields.area, fields.reflectance);
-        const OutsideRays probe(stage_.scene, solution_.mesh, stage_.rays, probe_rays,
-                                seed(0x70726f62));
-        for (const Outside& outside : probe.everywhere()) {
-            backs_.push_back(outside.backs);
-            escaped_.push_back(outside.escaped);
-        }
-    } else {
-        if (!find_form_factors(stage_, exchange_)) return false;
-        transport_ = std::make_unique<MatrixTransport>(exchange_, fields.area, fields.reflectance);
-        backs_ = exchange_.backs;
-        escaped_ = exchange_.escaped;
-    }
-    solution_.form_factors.open = std::ranges::max(escaped_) > 0.0;
+bool AccuracySolve::prepare() {
+    prepared_ = prepare_transport(stage_, solution_.settings.seed, [this] { return go_on(); });
+    if (!prepared_.transport) return false;
+    solution_.form_factors.open = std::ranges::max(prepared_.escaped) > 0.0;
     solution_.seconds.form_factors = stage_.watch.lap();
     return true;
 }
@@ -206,11 +186,10 @@ void AccuracySolve::run() {
     solution_.status = Status::limit;
     const double first_target = target_ < one_round ? coarser * target_ : target_;
     aim_ = first_aim(target_, first_target, fewest_rays);
-    if (prepare_transport() &&
-        light_.start(
-            *transport_, backs_,
-            energy_aim_for(target_, solution_.form_factors.open, std::ranges::max(backs_) > 0.0),
-            aim_.effort, direct_noise * target_, tolerance(), observer())) {
+    if (prepare() && light_.start(*prepared_.transport, prepared_.backs,
+                                  energy_aim_for(target_, solution_.form_factors.open,
+                                                 std::ranges::max(prepared_.backs) > 0.0),
+                                  aim_.effort, direct_noise * target_, tolerance(), observer())) {
         aim_.rays = light_.noise().rays_for(
             first_noise(first_target) * std::sqrt(2.0) * light_.norm(), fewest_rays, most_rays);
         solution_.seconds.solve = stage_.watch.lap();
@@ -253,8 +232,8 @@ void AccuracySolve::account() {
     solution_.radiosity = exitances(stage_.scene, solution_.mesh);
     for (PatchIndex i = 0; i < solution_.mesh.size(); ++i)
         solution_.radiosity[i] += light_.coarse()->reflectance()[i] * solution_.irradiance[i];
-    solution_.energy = measure_energy(stage_.scene, solution_.mesh, backs_, escaped_,
-                                      solution_.radiosity, solution_.irradiance);
+    solution_.energy = measure_energy(stage_.scene, solution_.mesh, prepared_.backs,
+                                      prepared_.escaped, solution_.radiosity, solution_.irradiance);
 }
 
 void AccuracySolve::finish() {

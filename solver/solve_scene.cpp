@@ -61,7 +61,8 @@ void refuse_impossible(const std::vector<Material>& materials) {
 void cut_patches(const Scene& scene, const MeshLines& lines, const std::function<bool()>& go_on,
                  Solution& solution) {
     const SolveSettings& settings = solution.settings;
-    check_memory(scene, estimate_patch_count(scene, *settings.patch_size), settings);
+    check_memory(scene, estimate_patch_count(scene, *settings.patch_size, lines.cut_slivers),
+                 settings);
     solution.mesh =
         make_patches(scene, lines, *settings.patch_size, [&](std::size_t patches_so_far) {
             check_memory(scene, patches_so_far, settings);
@@ -134,6 +135,7 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
     };
     MeshLines lines = find_mesh_lines(scene, go_on);
     if (solution.settings.accuracy && stopped == StopReason::tolerance) add_gap_lines(scene, lines);
+    lines.cut_slivers = solution.settings.method != Method::hierarchical;
     if (stopped == StopReason::tolerance) cut_patches(scene, lines, go_on, solution);
     if (stopped != StopReason::tolerance) {
         show_lamps_alone(scene, solution);

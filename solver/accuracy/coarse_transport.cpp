@@ -14,8 +14,11 @@ constexpr int most_shots = 10'000'000;
 }  // namespace
 
 MatrixTransport::MatrixTransport(const ExchangeMatrix& exchange, std::vector<double> area,
-                                 Field reflectance)
-    : factors_(exchange), area_(std::move(area)), reflectance_(std::move(reflectance)) {}
+                                 Field reflectance, bool is_exact, std::span<const double> within)
+    : factors_(exchange, within),
+      area_(std::move(area)),
+      reflectance_(std::move(reflectance)),
+      is_exact_(is_exact) {}
 
 Transported MatrixTransport::solve(const Field& exitance, double tolerance,
                                    const Observe& observe) const {

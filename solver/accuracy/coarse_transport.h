@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace patchlight {
@@ -28,6 +29,8 @@ class CoarseTransport {
     virtual ~CoarseTransport() = default;
     /// Whether there is a matrix: then `exitance` may be negative, and solving takes little time.
     virtual bool has_matrix() const = 0;
+    /// Whether light between patches that nothing can come between is exact.
+    virtual bool is_exact() const = 0;
     /// `exitance` for each channel in use.
     virtual Transported solve(const Field& exitance, double tolerance,
                               const Observe& observe) const = 0;
@@ -37,16 +40,19 @@ class CoarseTransport {
 
 class MatrixTransport final : public CoarseTransport {
   public:
-    MatrixTransport(const ExchangeMatrix& exchange, std::vector<double> area, Field reflectance);
+    MatrixTransport(const ExchangeMatrix& exchange, std::vector<double> area, Field reflectance,
+                    bool is_exact, std::span<const double> within = {});
     Transported solve(const Field& exitance, double tolerance,
                       const Observe& observe) const override;
     bool has_matrix() const override { return true; }
+    bool is_exact() const override { return is_exact_; }
     std::optional<Field> once(const Field& radiosity) const override;
 
   private:
     FormFactorMatrix factors_;
     std::vector<double> area_;  // [m²]
     Field reflectance_;         // [1]
+    bool is_exact_;
 };
 
 class ShotTransport final : public CoarseTransport {
@@ -55,6 +61,7 @@ class ShotTransport final : public CoarseTransport {
     Transported solve(const Field& exitance, double tolerance,
                       const Observe& observe) const override;
     bool has_matrix() const override { return false; }
+    bool is_exact() const override { return false; }
     std::optional<Field> once(const Field&) const override { return std::nullopt; }
     const RowSource& rows() const { return rows_; }
 

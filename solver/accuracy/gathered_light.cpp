@@ -58,8 +58,8 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     backs_ = backs;
     energy_aim_ = energy;
     coarse_.emplace(scene_, mesh_, transport, other_exitance_);
-    if (const auto once = transport.once(coarse_->to_field(listed_exitance_)))
-        exact_direct_ = to_rgb(*once);
+    if (transport.is_exact())
+        exact_direct_ = to_rgb(*transport.once(coarse_->to_field(listed_exitance_)));
     effort.alike = noise;
     const auto solve_once = [&] {
         return pass_.refine_direct({whatever_is_missed, first_elements}, effort) &&

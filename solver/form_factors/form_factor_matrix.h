@@ -11,7 +11,8 @@ namespace patchlight {
 /// The matrix F_ij that the solvers multiply with: each row dense or sparse, whichever is smaller.
 class FormFactorMatrix {
   public:
-    explicit FormFactorMatrix(const ExchangeMatrix& exchange);
+    /// `within`: F_ii of what is not flat; or empty.
+    explicit FormFactorMatrix(const ExchangeMatrix& exchange, std::span<const double> within = {});
 
     std::size_t size() const { return rows_.size(); }
     bool is_dense(PatchIndex i) const { return rows_[i].dense; }

@@ -49,13 +49,13 @@ double estimate_parts(double length, double patch_size, double width) {
 }
 
 EdgeDivisions::EdgeDivisions(const Scene& scene, const std::vector<std::vector<Segment>>& creases,
-                             const std::vector<bool>& hidden, double patch_size) {
+                             const std::vector<bool>& hidden, double patch_size, bool cut_slivers) {
     const LocalTolerance tolerance(scene);
     weld(scene, tolerance);
     find_edges(scene, hidden);
     find_stops(scene, tolerance, creases);
     choose_grids(scene, creases);
-    count_parts(scene, patch_size);
+    count_parts(scene, patch_size, cut_slivers);
     place_points(patch_size);
 }
 
@@ -122,7 +122,7 @@ void EdgeDivisions::choose_grids(const Scene& scene,
     }
 }
 
-void EdgeDivisions::count_parts(const Scene& scene, double patch_size) {
+void EdgeDivisions::count_parts(const Scene& scene, double patch_size, bool cut_slivers) {
     Chords chords(ends_.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
         if (gridded_[s])
@@ -139,7 +139,8 @@ void EdgeDivisions::count_parts(const Scene& scene, double patch_size) {
     const auto raise = [&](std::uint32_t root, double width) {
         parts[root] = std::max(parts[root], parts_for_aspect(longest[root], width));
     };
-    for (int pass = 0; pass < 3; ++pass)  // a finer chord makes narrower cells beside it
+    const int passes = cut_slivers ? 3 : 0;  // a finer chord makes narrower cells beside it
+    for (int pass = 0; pass < passes; ++pass)
         for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
             const std::size_t first = first_corner_[s], n = first_corner_[s + 1] - first;
             if (gridded_[s]) {

@@ -10,7 +10,8 @@
 
 namespace patchlight {
 
-/// About how many parts an edge of that length is cut into, beside patches so wide [m].
+/// About how many parts an edge of that length is cut into, beside patches so wide [m]; of any
+/// width, if slivers are not cut.
 double estimate_parts(double length, double patch_size, double width);
 
 /// How each edge of each surface is cut: into equal parts, or between stops where creases end. An
@@ -18,9 +19,10 @@ double estimate_parts(double length, double patch_size, double width);
 class EdgeDivisions {
   public:
     /// `creases`: lines on each surface; where they meet an edge of it there will be a vertex.
-    /// `hidden`: surfaces that need no division of their own.
+    /// `hidden`: surfaces that need no division of their own. `cut_slivers`: edges of narrow
+    /// patches are cut for their shape, too.
     EdgeDivisions(const Scene& scene, const std::vector<std::vector<Segment>>& creases,
-                  const std::vector<bool>& hidden, double patch_size);
+                  const std::vector<bool>& hidden, double patch_size, bool cut_slivers);
 
     /// Whether surface s is a quad that becomes a grid: its opposite edges have one count.
     bool gridded(SurfaceIndex s) const { return gridded_[s]; }
@@ -43,7 +45,7 @@ class EdgeDivisions {
     void find_stops(const Scene& scene, const LocalTolerance& tolerance,
                     const std::vector<std::vector<Segment>>& creases);
     void choose_grids(const Scene& scene, const std::vector<std::vector<Segment>>& creases);
-    void count_parts(const Scene& scene, double patch_size);
+    void count_parts(const Scene& scene, double patch_size, bool cut_slivers);
     void place_points(double patch_size);
 
     std::vector<std::size_t> first_corner_;                  // per surface

@@ -155,20 +155,25 @@ double edge_length(const Surface& surface, std::size_t k) {
     return (surface.corners[(k + 1) % surface.corners.size()] - surface.corners[k]).norm();
 }
 
-double estimate_grid(const Surface& surface, double patch_size) {
+constexpr double any_width = std::numeric_limits<double>::infinity();
+
+double estimate_grid(const Surface& surface, double patch_size, bool cut_slivers) {
     const double u = std::max(edge_length(surface, 0), edge_length(surface, 2));
     const double v = std::max(edge_length(surface, 1), edge_length(surface, 3));
+    if (!cut_slivers)
+        return estimate_parts(u, patch_size, any_width) * estimate_parts(v, patch_size, any_width);
     const double nu = estimate_parts(u, patch_size, v), nv = estimate_parts(v, patch_size, u);
     return estimate_parts(u, patch_size, v / nv) * estimate_parts(v, patch_size, u / nu);
 }
 
 /// Squares inside, and what the outline's parts and corners add to them: coefficients fitted to
 /// regular polygons of 3 to 4000 corners, needles, stars and combs.
-double estimate_polygon(const Surface& surface, double patch_size) {
+double estimate_polygon(const Surface& surface, double patch_size, bool cut_slivers) {
     const std::size_t corners = surface.corners.size();
     double parts = 0.0;
     for (std::size_t k = 0; k < corners; ++k)
-        parts += estimate_parts(edge_length(surface, k), patch_size, width_of(surface));
+        parts += estimate_parts(edge_length(surface, k), patch_size,
+                                cut_slivers ? width_of(surface) : any_width);
     const double inside = surface.area / (patch_size * patch_size);
     return std::max(1.0, inside + 0.6 * parts + 0.7 * static_cast<double>(corners) - 4.0);
 }
@@ -182,11 +187,13 @@ double patch_size_for(const Scene& scene, double patches) {
     return std::sqrt(area / patches);
 }
 
-std::size_t estimate_patch_count(const Scene& scene, double patch_size) {
+std::size_t estimate_patch_count(const Scene& scene, double patch_size, bool cut_slivers) {
     double count = 0.0;
-    for (const Surface& surface : scene.surfaces)
-        count += fits_a_grid(surface) ? estimate_grid(surface, surface.coarseness * patch_size)
-                                      : estimate_polygon(surface, surface.coarseness * patch_size);
+    for (const Surface& surface : scene.surfaces) {
+        const double longest = surface.coarseness * patch_size;
+        count += fits_a_grid(surface) ? estimate_grid(surface, longest, cut_slivers)
+                                      : estimate_polygon(surface, longest, cut_slivers);
+    }
     return count < 9e18 ? static_cast<std::size_t>(count) : std::size_t{9'000'000'000'000'000'000u};
 }
 
@@ -243,7 +250,8 @@ MeshLines no_lines(const Scene& scene) {
 
 PatchMesh make_patches(const Scene& scene, const MeshLines& lines, double patch_size,
                        const std::function<bool(std::size_t)>& go_on) {
-    const EdgeDivisions divisions(scene, lines.creases, lines.hidden, patch_size);
+    const EdgeDivisions divisions(scene, lines.creases, lines.hidden, patch_size,
+                                  lines.cut_slivers);
     Mesher mesher{scene, lines, divisions, {}};
     mesher.mesh.vertices = divisions.vertices();
     mesher.mesh.patch_size = patch_size;

@@ -12,13 +12,14 @@ namespace patchlight {
 double patch_size_for(const Scene& scene, double patches);
 
 /// About how many patches `make_patches` will make; allocates nothing of their number.
-std::size_t estimate_patch_count(const Scene& scene, double patch_size);
+std::size_t estimate_patch_count(const Scene& scene, double patch_size, bool cut_slivers = true);
 
 /// What the patches of a surface must respect.
 struct MeshLines {
     CoplanarOverlaps overlaps;
     std::vector<std::vector<Segment>> creases;  // per surface: contact lines and outlines of covers
     std::vector<bool> hidden;                   // surfaces that are covered wholly
+    bool cut_slivers = true;                    // across, to a length of about 8 widths
 };
 /// `go_on` is asked now and then; after a false the lines are not all there.
 MeshLines find_mesh_lines(const Scene& scene, const std::function<bool()>& go_on = {});
@@ -32,8 +33,8 @@ MeshLines no_lines(const Scene& scene);
 
 /// Cuts every surface into quads and triangles with no edge longer than `patch_size` [m].
 /// Vertices are shared: there are no T-vertices within a surface, nor along edges that two surfaces
-/// share whole. Areas of the patches of a surface sum to its own to rounding. Slivers are cut
-/// across to a length of about 8 widths, 256 parts at most. Outlines of coplanar polygons that
+/// share whole. Areas of the patches of a surface sum to its own to rounding. Slivers, where they
+/// are cut, come to 256 parts at most. Outlines of coplanar polygons that
 /// cover a surface become edges of its patches, and what lies beneath is marked `covered`; so do
 /// lines along which other surfaces rest on it or pass through it.
 /// `go_on` is asked now and then with the number of patches so far; after a false they are not all

@@ -32,6 +32,7 @@ class SphereTransport final : public CoarseTransport {
         return result;
     }
     bool has_matrix() const override { return has_matrix_; }
+    bool is_exact() const override { return has_matrix_; }
     std::optional<Field> once(const Field& radiosity) const override {
         if (!has_matrix_) return std::nullopt;
         Field arriving;
