@@ -141,7 +141,7 @@ void AccuracySolve::aim_closer() {
                              over_norm * pass.direct().expected_miss(),
                              light_.correction(),
                              light_.read_coarsely(),
-                             light_.has_gaps(),
+                             light_.has_gaps() && aim_.effort.by_apertures,
                              measured_->amplified()};
     light_.look_closer(measured_->checks.missed);
     const auto rays_for = [&, &noise = light_.noise()](double less) {

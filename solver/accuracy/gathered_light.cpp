@@ -1,5 +1,6 @@
 #include "solver/accuracy/gathered_light.h"
 
+#include "solver/accuracy/aperture_light.h"
 #include "solver/display/patch_slopes.h"
 #include "solver/transport/patch_fields.h"
 
@@ -61,16 +62,21 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     if (transport.is_exact())
         exact_direct_ = to_rgb(*transport.once(coarse_->to_field(listed_exitance_)));
     effort.alike = noise;
+    const auto lit_by = [&](const DirectEffort& of) {
+        return of.by_apertures ? lit_by_apertures(mesh_, pass_.points(), of.enough) : 1.0;
+    };
     const auto solve_once = [&] {
         return pass_.refine_direct({whatever_is_missed, first_elements}, effort) &&
                solve_coarse(tolerance, observe);
     };
     bool is_whole = true;
-    if (has_gaps()) {
+    effort.by_apertures = has_gaps() && apertures_matter(scene_, mesh_, pass_.points(), noise,
+                                                         mix(seed_, 0x61706572));
+    if (effort.by_apertures) {
         is_whole = pass_.refine_direct({whatever_is_missed, 1.0}, glance);
         direct_means_ = means_of(pass_.show({})).direct;
         effort.enough = part_of_glance * noise * mean_irradiance();
-        effort.lit_by_apertures = lit_by_apertures(effort.enough);
+        effort.lit_by_apertures = lit_by(effort);
         pass_.restart_direct();
     }
     is_whole = is_whole && solve_once();
@@ -80,7 +86,7 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
         double area = 0.0;
         for (const Patch& patch : mesh_.patches) area += patch.covered ? 0.0 : patch.area;
         effort.enough = noise * std::max(mean_irradiance(), norm() / std::sqrt(area));
-        effort.lit_by_apertures = lit_by_apertures(effort.enough);
+        effort.lit_by_apertures = lit_by(effort);
     }
     const double too_much = is_whole ? pass_.direct_noise() / (noise * norm()) : 0.0;
     if (too_much > 1.0 && effort.most < most_samples) {
@@ -91,25 +97,6 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
     }
     if (!is_whole) show_what_there_is(tolerance, observe);
     return is_whole;
-}
-
-/// Share of the area where apertures may bring more than `enough`.
-double GatheredLight::lit_by_apertures(double enough) const {
-    const ApertureSet& apertures = pass_.points().gather().apertures();
-    if (apertures.empty() || !(enough > 0.0)) return 1.0;
-    constexpr double least_share = 1.0 / 64.0;
-    std::vector<double> lit(mesh_.size(), 0.0);
-    tbb::parallel_for(PatchIndex{0}, static_cast<PatchIndex>(mesh_.size()), [&](PatchIndex i) {
-        if (mesh_.patches[i].covered) return;
-        std::vector<float> most(apertures.size());
-        const GatherPoint at = pass_.points().point(i, mesh_.patches[i].centre);
-        apertures.most_through(at.origin, at.normal.cast<float>(), most);
-        const double sum = std::accumulate(most.begin(), most.end(), 0.0);
-        lit[i] = mesh_.patches[i].area * std::min(1.0, std::pow(sum / enough, 2));
-    });
-    double area = 0.0;
-    for (const Patch& patch : mesh_.patches) area += patch.covered ? 0.0 : patch.area;
-    return std::clamp(std::accumulate(lit.begin(), lit.end(), 0.0) / area, least_share, 1.0);
 }
 
 bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observe& observe) {

@@ -95,7 +95,6 @@ class GatheredLight {
   private:
     void sort_exitance();
     double hardly_any() const;
-    double lit_by_apertures(double enough) const;
     double mean_irradiance() const;  // as the coarse solution has it [W/m²]
     SplitIrradiance means_of(const TreeDisplay& shown) const;
     FieldTable table_of(const TreeDisplay& shown) const;

@@ -1,5 +1,7 @@
 #include "solver/display/point_gather.h"
 
+#include "solver/form_factors/point_factor.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -168,6 +170,19 @@ PointGather::Direct PointGather::through(const GatherPoint& point, double whole,
          found = take(count))
         count = std::min(count * times_more, more);
     return found;
+}
+
+PointGather::Direct PointGather::through_apertures(const GatherPoint& point,
+                                                   const DirectEffort& effort,
+                                                   std::uint64_t key) const {
+    double whole = 0.0;
+    for (std::size_t s = 0; s < sources_.size(); ++s) {
+        if (point.clear && (*point.clear)[s]) continue;
+        const LightSource& source = sources_[s];
+        whole += luminance(source.exitance) *
+                 point_factor(point.position, point.normal, source.polygon, source.normal);
+    }
+    return whole > 0.0 ? through(point, whole, effort, mix(key, sources_.size())) : Direct{};
 }
 
 }  // namespace patchlight

@@ -19,6 +19,7 @@ struct PointGather::ManySamples {
     const PointGather& gather;
     const GatherPoint& point;
     std::span<const Lit> lit;
+    bool by_apertures;
     std::vector<double> cumulative = {};
     RayPoint normal = {};
     RayBatch batch = {};
@@ -33,7 +34,8 @@ struct PointGather::ManySamples {
             all += light[k];
             if ((blocked >> k) & 1u) continue;
             const RayPoint ray(batch.dx[k], batch.dy[k], batch.dz[k]);
-            if (gather.apertures_.count_crossed(point.origin, ray) == 0) clear += light[k];
+            if (!by_apertures || gather.apertures_.count_crossed(point.origin, ray) == 0)
+                clear += light[k];
         }
         filled = 0;
     }
@@ -81,7 +83,7 @@ struct PointGather::ManySamples {
 
 PointGather::Direct PointGather::together(const GatherPoint& point, std::span<const Lit> lit,
                                           const DirectEffort& effort, std::uint64_t key) const {
-    ManySamples samples{*this, point, lit};
+    ManySamples samples{*this, point, lit, effort.by_apertures};
     samples.normal = point.normal.cast<float>();
     Rgb whole = Rgb::Zero();
     double sum = 0.0;

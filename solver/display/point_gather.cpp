@@ -83,6 +83,7 @@ struct PointGather::Samples {
     const GatherPoint& point;
     const LightSource& source;
     Share& share;
+    bool by_apertures;
     RayBatch batch = {};
     Lanes weights = {};
     int filled = 0;
@@ -100,19 +101,21 @@ struct PointGather::Samples {
             share.all += weights[k];
             if ((blocked >> k) & 1u) continue;
             const RayPoint ray(batch.dx[k], batch.dy[k], batch.dz[k]);
-            if (gather.apertures_.count_crossed(point.origin, ray) == 0) share.clear += weights[k];
+            if (!by_apertures || gather.apertures_.count_crossed(point.origin, ray) == 0)
+                share.clear += weights[k];
         }
         filled = 0;
     }
 };
 
 void PointGather::sample(const GatherPoint& point, const LightSource& source, double factor,
-                         std::uint64_t key, int first, int end, Share& share) const {
+                         bool by_apertures, std::uint64_t key, int first, int end,
+                         Share& share) const {
     const std::array<std::uint32_t, 2> seeds{static_cast<std::uint32_t>(key),
                                              static_cast<std::uint32_t>(key >> 32)};
     const RayPoint normal = point.normal.cast<float>(),
                    shift = rays_.shift(source.sampler.frame, point.frame).cast<float>();
-    Samples samples{*this, point, source, share};
+    Samples samples{*this, point, source, share, by_apertures};
     const auto coordinate = [&](std::size_t d, int n) {
         return points_.at(d, static_cast<std::size_t>(n), seeds[d]);
     };
@@ -148,13 +151,13 @@ PointGather::Direct PointGather::alone(const GatherPoint& point, const Lit& lit,
     const LightSource& source = sources_[lit.source];
     int count = effort.first_of(lit.whole);
     Share share;
-    sample(point, source, lit.factor, key, 0, count, share);
+    sample(point, source, lit.factor, effort.by_apertures, key, 0, count, share);
     const auto variance = [&] {
         const double clear = share.clear_share();
         return outlines * lit.whole * lit.whole * clear * (1.0 - clear) * std::pow(count, -1.5);
     };
     if (share.mixed() && count < effort.most && variance() > std::pow(of_lamp * effort.enough, 2)) {
-        sample(point, source, lit.factor, key, count, effort.most, share);
+        sample(point, source, lit.factor, effort.by_apertures, key, count, effort.most, share);
         count = effort.most;
     }
     return {share.clear_share() * lit.factor * source.exitance, variance()};
@@ -190,7 +193,7 @@ PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEf
     for (auto lit = hidden.begin(); lit != many; ++lit)
         add(alone(point, *lit, effort, mix(key, lit->source)));
     if (many != hidden.end()) add(together(point, {many, hidden.end()}, effort, mix(key, ~0u)));
-    if (!apertures_.empty() && whole > 0.0)
+    if (effort.by_apertures && !apertures_.empty() && whole > 0.0)
         add(through(point, whole, effort, mix(key, sources_.size())));
     return sum;
 }

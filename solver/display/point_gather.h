@@ -36,6 +36,8 @@ struct DirectEffort {
     /// Share of the scene's area that apertures may light: noise is of matter there alone, so that
     /// there may be more, for the same norm.
     double lit_by_apertures = 1.0;
+    /// Light through apertures is gathered by samples of those; else samples of lamps find it.
+    bool by_apertures = true;
     /// First samples of a source that would give `whole` [W/m²].
     int first_of(double whole) const;
 };
@@ -62,6 +64,9 @@ class PointGather {
     /// From the sources. The variance is that of n scrambled points in a plane cut by a few edges,
     /// about 2 p (1 - p) / n^1.5.
     Direct direct(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
+    /// What of that comes through apertures.
+    Direct through_apertures(const GatherPoint& point, const DirectEffort& effort,
+                             std::uint64_t key) const;
     struct Indirect {
         Rgb irradiance = Rgb::Zero();       // [W/m²]
         Rgb half_difference = Rgb::Zero();  // of what both halves of the rays say [W/m²]
@@ -91,7 +96,7 @@ class PointGather {
     /// Over the area of a source, weighed with the kernel; or, where it fills much of the view
     /// (`factor`), over directions, all alike: of a wide sky most of the area hardly counts.
     void sample(const GatherPoint& point, const LightSource& source, double factor,
-                std::uint64_t key, int first, int end, Share& share) const;
+                bool by_apertures, std::uint64_t key, int first, int end, Share& share) const;
 
     struct Lit {  // by a source that something may hide
         std::size_t source = 0;
