@@ -13,8 +13,8 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t sampled_points = 4096;
-constexpr double standard_errors = 3.0;
+constexpr std::size_t sampled_points = 16'384;
+constexpr double standard_errors = 2.0;
 constexpr DirectEffort glance{16, 64};
 
 double open_area(const PatchMesh& mesh) {
