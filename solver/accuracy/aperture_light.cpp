@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t sampled_points = 16'384;
 constexpr double standard_errors = 2.0;
-constexpr DirectEffort glance{16, 64};
 
 double open_area(const PatchMesh& mesh) {
     double area = 0.0;
@@ -36,27 +35,36 @@ std::vector<PatchIndex> by_area(const PatchMesh& mesh, std::size_t count, std::u
     return picked;
 }
 
+/// Of what comes through apertures, a share p of `whole`: the first samples all miss it with a
+/// chance of (1 - p)^n, and where they do not there are more, half as noisy as by chance.
+double missed_square(double through, double whole, const DirectEffort& effort) {
+    if (!(whole > 0.0)) return 0.0;
+    const double share = std::min(1.0, through / whole);
+    return through * through * std::pow(1.0 - share, effort.first) +
+           0.5 * whole * whole * share * (1.0 - share) / effort.most;
+}
+
 }  // namespace
 
 bool apertures_matter(const Scene& scene, const PatchMesh& mesh, const VertexGather& points,
-                      double noise, std::uint64_t seed) {
+                      const DirectEffort& effort, double noise, std::uint64_t seed) {
     if (mesh.size() <= sampled_points) return true;  // they cost less than to find out
     const std::vector<PatchIndex> at = by_area(mesh, sampled_points, seed);
-    std::vector<std::array<double, 2>> squares(at.size());  // through apertures, and of all
+    std::vector<std::array<double, 2>> squares(at.size());  // that would be missed, and of all
     tbb::parallel_for(std::size_t{0}, at.size(), [&](std::size_t k) {
         const Patch& patch = mesh.patches[at[k]];
         const GatherPoint point = points.point(at[k], patch.centre);
         const std::uint64_t key = mix(seed, k);
-        const Rgb& reflectance =
-            scene.materials[scene.surfaces[patch.surface].material].reflectance;
-        const Rgb through = points.gather().through_apertures(point, glance, key).irradiance,
-                  all = points.gather().direct(point, glance, key).irradiance;
-        squares[k] = {std::pow(luminance(reflectance * through), 2),
-                      std::pow(luminance(reflectance * all), 2)};
+        const double y =
+            luminance(scene.materials[scene.surfaces[patch.surface].material].reflectance);
+        const auto [through, whole] = points.gather().through_apertures(point, effort, key);
+        const Rgb all = points.gather().direct(point, effort, key).irradiance;
+        squares[k] = {y * y * missed_square(luminance(through), whole, effort),
+                      std::pow(y * luminance(all), 2)};
     });
-    double through = 0.0, spread = 0.0, all = 0.0;
-    for (const auto& [a, b] : squares) through += a, spread += a * a, all += b;
-    return through + standard_errors * std::sqrt(spread) > noise * noise * all;
+    double missed = 0.0, spread = 0.0, all = 0.0;
+    for (const auto& [a, b] : squares) missed += a, spread += a * a, all += b;
+    return missed + standard_errors * std::sqrt(spread) > noise * noise * all;
 }
 
 double lit_by_apertures(const PatchMesh& mesh, const VertexGather& points, double enough) {

@@ -70,8 +70,8 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
                solve_coarse(tolerance, observe);
     };
     bool is_whole = true;
-    effort.by_apertures = has_gaps() && apertures_matter(scene_, mesh_, pass_.points(), noise,
-                                                         mix(seed_, 0x61706572));
+    effort.by_apertures = has_gaps() && apertures_matter(scene_, mesh_, pass_.points(), effort,
+                                                         noise, mix(seed_, 0x61706572));
     if (effort.by_apertures) {
         is_whole = pass_.refine_direct({whatever_is_missed, 1.0}, glance);
         direct_means_ = means_of(pass_.show({})).direct;

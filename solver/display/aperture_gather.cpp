@@ -172,9 +172,9 @@ PointGather::Direct PointGather::through(const GatherPoint& point, double whole,
     return found;
 }
 
-PointGather::Direct PointGather::through_apertures(const GatherPoint& point,
-                                                   const DirectEffort& effort,
-                                                   std::uint64_t key) const {
+PointGather::ThroughApertures PointGather::through_apertures(const GatherPoint& point,
+                                                             const DirectEffort& effort,
+                                                             std::uint64_t key) const {
     double whole = 0.0;
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         if (point.clear && (*point.clear)[s]) continue;
@@ -182,7 +182,8 @@ PointGather::Direct PointGather::through_apertures(const GatherPoint& point,
         whole += luminance(source.exitance) *
                  point_factor(point.position, point.normal, source.polygon, source.normal);
     }
-    return whole > 0.0 ? through(point, whole, effort, mix(key, sources_.size())) : Direct{};
+    if (!(whole > 0.0)) return {};
+    return {through(point, whole, effort, mix(key, sources_.size())).irradiance, whole};
 }
 
 }  // namespace patchlight

@@ -64,9 +64,14 @@ class PointGather {
     /// From the sources. The variance is that of n scrambled points in a plane cut by a few edges,
     /// about 2 p (1 - p) / n^1.5.
     Direct direct(const GatherPoint& point, const DirectEffort& effort, std::uint64_t key) const;
-    /// What of that comes through apertures.
-    Direct through_apertures(const GatherPoint& point, const DirectEffort& effort,
-                             std::uint64_t key) const;
+    /// What of that comes through apertures, and the luminance there would be, nothing between, of
+    /// sources that something may hide [W/m²].
+    struct ThroughApertures {
+        Rgb irradiance = Rgb::Zero();
+        double whole = 0.0;
+    };
+    ThroughApertures through_apertures(const GatherPoint& point, const DirectEffort& effort,
+                                       std::uint64_t key) const;
     struct Indirect {
         Rgb irradiance = Rgb::Zero();       // [W/m²]
         Rgb half_difference = Rgb::Zero();  // of what both halves of the rays say [W/m²]
