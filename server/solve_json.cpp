@@ -1,7 +1,6 @@
 #include "server/solve_json.h"
 
 #include "server/input_errors.h"
-#include "server/not_built.h"
 #include "server/wording.h"
 
 #include <array>
@@ -33,7 +32,6 @@ template <typename Choice, std::size_t count>
 Choice read_choice(const JsonValue& value,
                    const std::array<std::pair<const char*, Choice>, count>& choices) {
     const std::string& asked = value.text();
-    if (const std::string why = why_not_built(asked); !why.empty()) value.reject(why);
     std::vector<std::string> known;
     for (const auto& [name, choice] : choices) {
         if (asked == name) return choice;

@@ -28,6 +28,9 @@ constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 /// Of a time limit: what is left when gathering ends is for check points, particles, and the rest.
 constexpr double for_gathering = 0.85, for_checking = 0.91, for_particles = 0.96;
+/// Of the target: light that comes between one plane and another tilted against it is (1 - cosine)
+/// / 2 of what is alike all round.
+constexpr double tilt_of_target = 0.5;
 constexpr int fewest_rays = 96, most_rays = 1 << 15;  // multiples of 32
 
 class AccuracySolve {
@@ -60,6 +63,7 @@ class AccuracySolve {
     CoarseTransport::Observe observer() {
         return [this](int iteration, double residual) { return observe(iteration, residual); };
     }
+    bool carries_on_clusters() const { return solution_.settings.method == Method::hierarchical; }
     /// Of the coarse solution: what was set, but no more than leaves the target within reach.
     double tolerance() const {
         return std::min(*solution_.settings.tolerance, for_tolerance * target_);
@@ -148,7 +152,8 @@ void AccuracySolve::aim_closer() {
         return noise.rays_for(less * noise.absolute(aim_.rays), fewest_rays, most_rays);
     };
     if (!next_aim_.after(errors, rays_for, aim_)) return;
-    for (int round = 0; round < rounds_between && gather(coarser);) ++round;
+    const bool is_cheaper = !carries_on_clusters() || !light_.pass().is_coarsest();
+    for (int round = 0; is_cheaper && round < rounds_between && gather(coarser);) ++round;
 }
 
 /// Whether what rays read still changes, so that one more round alone brings the error down.
@@ -184,6 +189,7 @@ void AccuracySolve::refine(bool gathered) {
 void AccuracySolve::run() {
     solution_.error.target = target_;
     solution_.status = Status::limit;
+    if (carries_on_clusters()) light_.share_rays(1.0 - tilt_of_target * target_);
     const double first_target = target_ < one_round ? coarser * target_ : target_;
     aim_ = first_aim(target_, first_target, fewest_rays);
     if (prepare() && light_.start(*prepared_.transport, prepared_.backs,

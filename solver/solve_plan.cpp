@@ -143,11 +143,11 @@ double carriers_of(std::size_t patches, const SolveSettings& planned) {
 }  // namespace
 
 SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
-    refuse_unbuilt(settings);
     refuse_idle(settings);
     SolvePlan plan{settings, ""};
     SolveSettings& s = plan.settings;
     if (!s.accuracy && !is_set_by_hand(s)) s.accuracy = default_accuracy;
+    refuse_unbuilt(s);
     if (!s.patch_size)
         s.patch_size =
             patch_size_for(scene, s.accuracy ? coarse_patches_for(*s.accuracy) : hand_set_patches);

@@ -82,6 +82,7 @@ class GatheredLight {
     const std::optional<GatherNoise>& known_noise() const { return noise_; }
     const DisplayPass& pass() const { return pass_; }
     /// Where indirect light was found to be missed, the next round gathers more closely.
+    void share_rays(double least_cosine) { pass_.share_rays(least_cosine); }
     void look_closer(std::span<const PointMiss> indirect) { pass_.look_closer(indirect); }
     /// By what was gathered as `aim` has it; rays outside and of check points are not among them.
     double rays_taken(const GatherAim& aim) const {

@@ -70,6 +70,7 @@ DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RaySce
       near_lights_(scene, mesh, rays, gather_.sources(), gather_.gaps()),
       spots_(scene, mesh, rays, gather_.sources(), gather_.gaps().all(), seed),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))),
+      roots_(tree_.vertices().size()),
       closer_(scene, mesh, tree_) {
     restart_direct();
     restart_indirect();

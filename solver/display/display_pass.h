@@ -43,6 +43,10 @@ class DisplayPass {
     void show_bends(double missed);
     /// The field so far; `added` to the indirect irradiance of each patch, smoothly; or empty.
     TreeDisplay show(const std::vector<Rgb>& added);
+    /// See VertexGather.
+    void share_rays(double least_cosine) { points_.share_rays(least_cosine); }
+    /// Whether most vertices are corners of patches, so that a coarser look takes as long.
+    bool is_coarsest() const { return 2 * roots_ > indirect_->gathered(); }
     const RefinementTree& tree() const { return tree_; }
     const VertexGather& points() const { return points_; }
     const IrradianceLayer& direct() const { return *direct_; }
@@ -62,6 +66,7 @@ class DisplayPass {
     NearLights near_lights_;
     LightSpots spots_;
     RefinementTree tree_;
+    std::size_t roots_ = 0;  // vertices there were at first
     std::optional<IrradianceLayer> direct_, indirect_;
     CloserLook closer_;                // at indirect light
     int indirect_rays_ = 0;            // of each vertex so far

@@ -22,8 +22,9 @@ constexpr std::size_t lines_of_edge = 16, fewest_first = 8192, most_first = 100'
 constexpr std::size_t fewest_next = 32'768;
 constexpr std::size_t most_lines = 1'000'000;
 constexpr std::size_t most_apertures = 512;
-/// Lines through gaps that are known, over those through new ones, that end the search.
-constexpr std::size_t known_per_new = 32;
+/// Lines through gaps that are known since new ones were found, for each of those, that end the
+/// search: after n of them about 1/n of the light may come through gaps that are not.
+constexpr std::size_t known_per_new = 128;
 constexpr std::size_t lines_at_a_time = 256;
 
 float number(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
@@ -57,7 +58,7 @@ class ApertureSearch {
 
     std::vector<Aperture> find() {
         if (edges_.empty() || sources_.empty()) return {};
-        std::size_t first = 0,
+        std::size_t known_since = 0, first = 0,
                     count = std::clamp(lines_of_edge * edges_.size(), fewest_first, most_first);
         while (first < most_lines && found_.size() < most_apertures) {
             const std::vector<Passage> now = passages(first, first + count);
@@ -72,7 +73,9 @@ class ApertureSearch {
                         ++new_ones;
                 }
             first += count;
-            if (new_ones * known_per_new <= known_ones) break;
+            known_since = new_ones > 0 ? known_ones : known_since + known_ones;
+            if (found_.empty() || known_since >= known_per_new * std::max<std::size_t>(1, new_ones))
+                break;
             count = std::min(std::max(count, fewest_next), most_lines - first);
         }
         return found_.all();

@@ -90,6 +90,11 @@ class PointGather {
     /// [n, 2 n) is that of [0, 2 n).
     Indirect indirect(const GatherPoint& point, const ReflectedField& field, int first, int end,
                       std::uint64_t key) const;
+    /// The same for surfaces that meet at the point and face nearly as its normal says: one set of
+    /// rays about that normal, weighed anew for each of `normals`.
+    void indirect(const GatherPoint& point, std::span<const Vec3> normals,
+                  const ReflectedField& field, int first, int end, std::uint64_t key,
+                  std::span<Indirect> found) const;
 
   private:
     struct Share {
@@ -121,6 +126,7 @@ class PointGather {
                    std::uint64_t key) const;
     struct ApertureSamples;
 
+    struct Tilted;
     struct Hemisphere;
     struct Excess;
 

@@ -53,55 +53,78 @@ GatherPoint VertexGather::point(PatchIndex i, const Vec3& position) const {
     return point;
 }
 
+const Rgb& VertexGather::reflectance_of(PatchIndex i) const {
+    return scene_.materials[scene_.surfaces[surface_of(i)].material].reflectance;
+}
+
 bool VertexGather::may_be_shaded(PatchIndex i) const {
     if (clear_.empty()) return !gather_.sources().empty();
     return std::find(clear_[i].begin(), clear_[i].end(), false) != clear_[i].end();
 }
 
-std::vector<VertexGather::Gathered> VertexGather::each(
-    std::size_t count, const std::function<Gathered(std::size_t)>& at) const {
-    std::vector<Gathered> values(count);
+std::size_t VertexGather::each(std::size_t count,
+                               const std::function<void(std::size_t)>& at) const {
     std::size_t at_a_time = first_points;
     for (std::size_t first = 0, end = 0; first < count; first = end) {
         end = std::min(first + at_a_time, count);
         const auto began = std::chrono::steady_clock::now();
-        tbb::parallel_for(first, end, [&](std::size_t k) { values[k] = at(k); });
-        if (go_on_ && !go_on_()) {
-            values.resize(end);
-            break;
-        }
+        tbb::parallel_for(first, end, at);
+        if (go_on_ && !go_on_()) return end;
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
         at_a_time = took.count() < seconds_between ? std::min(2 * at_a_time, most_points)
                                                    : std::max(at_a_time / 2, fewest_points);
     }
-    return values;
+    return count;
 }
 
 std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& tree,
                                                          std::span<const std::uint32_t> vertices,
                                                          const DirectEffort& effort) const {
-    return each(vertices.size(), [&](std::size_t k) {
+    std::vector<Gathered> values(vertices.size());
+    values.resize(each(vertices.size(), [&](std::size_t k) {
         const TreeVertex& vertex = tree.vertices()[vertices[k]];
         const PointGather::Direct found =
             gather_.direct(point(vertex.patch, vertex.position), effort, mix(seed_, vertices[k]));
-        const double y = luminance(
-            scene_.materials[scene_.surfaces[surface_of(vertex.patch)].material].reflectance);
-        return Gathered{found.irradiance, y * y * found.variance};
-    });
+        const double y = luminance(reflectance_of(vertex.patch));
+        values[k] = {found.irradiance, y * y * found.variance};
+    }));
+    return values;
 }
 
 std::vector<VertexGather::Gathered> VertexGather::indirect(const RefinementTree& tree,
                                                            std::span<const std::uint32_t> vertices,
                                                            const ReflectedField& field, int first,
                                                            int end) const {
-    return each(vertices.size(), [&](std::size_t k) {
-        const TreeVertex& vertex = tree.vertices()[vertices[k]];
-        const PointGather::Indirect found = gather_.indirect(
-            point(vertex.patch, vertex.position), field, first, end, mix(seed_ + 1, vertices[k]));
-        const Material& material =
-            scene_.materials[scene_.surfaces[surface_of(vertex.patch)].material];
-        return Gathered{found.irradiance, found.variance(material.reflectance)};
+    const auto value = [&](std::uint32_t v, const PointGather::Indirect& found) {
+        const Rgb& reflectance = reflectance_of(tree.vertices()[v].patch);
+        return Gathered{found.irradiance, found.variance(reflectance)};
+    };
+    std::vector<Gathered> values(vertices.size());
+    const std::vector<Shared> groups = shared(tree, vertices);
+    const std::size_t done = each(groups.size(), [&](std::size_t g) {
+        const Shared& group = groups[g];
+        const std::uint32_t v = vertices[group.front()];
+        const std::uint64_t key = mix(seed_ + 1, v);
+        if (group.size() == 1) {
+            const TreeVertex& vertex = tree.vertices()[v];
+            values[group.front()] = value(
+                v, gather_.indirect(point(vertex.patch, vertex.position), field, first, end, key));
+            return;
+        }
+        std::vector<Vec3> normals;
+        const GatherPoint at = shared_point(tree, vertices, group, normals);
+        std::vector<PointGather::Indirect> found(group.size());
+        gather_.indirect(at, normals, field, first, end, key, found);
+        for (std::size_t k = 0; k < group.size(); ++k)
+            values[group[k]] = value(vertices[group[k]], found[k]);
     });
+    if (done < groups.size()) {  // up to the first that is missing
+        std::size_t whole = vertices.size();
+        for (std::size_t g = done; g < groups.size(); ++g)
+            whole = std::min<std::size_t>(whole, groups[g].front());
+        values.resize(whole);
+    }
+    return values;
 }
 
 }  // namespace patchlight

@@ -23,6 +23,10 @@ class VertexGather {
     std::vector<Gathered> direct(const RefinementTree& tree,
                                  std::span<const std::uint32_t> vertices,
                                  const DirectEffort& effort) const;
+    /// Vertices of several planes at one place are gathered at together from now on, where their
+    /// normals differ from one by no more than this cosine: a tessellated surface has one set of
+    /// rays for all its facets at a corner.
+    void share_rays(double least_cosine) { least_cosine_ = least_cosine; }
     /// By rays [first, end) of each vertex' sequence, multiples of 32.
     std::vector<Gathered> indirect(const RefinementTree& tree,
                                    std::span<const std::uint32_t> vertices,
@@ -38,8 +42,14 @@ class VertexGather {
     bool may_be_shaded(PatchIndex i) const;
 
   private:
-    std::vector<Gathered> each(std::size_t count,
-                               const std::function<Gathered(std::size_t)>& at) const;
+    const Rgb& reflectance_of(PatchIndex i) const;
+    using Shared = std::vector<std::uint32_t>;  // places in a list of vertices
+    std::vector<Shared> shared(const RefinementTree& tree,
+                               std::span<const std::uint32_t> vertices) const;
+    GatherPoint shared_point(const RefinementTree& tree, std::span<const std::uint32_t> vertices,
+                             const Shared& group, std::vector<Vec3>& normals) const;
+    /// How many were done before the work was stopped.
+    std::size_t each(std::size_t count, const std::function<void(std::size_t)>& at) const;
 
     const Scene& scene_;
     const PatchMesh& mesh_;
@@ -47,6 +57,7 @@ class VertexGather {
     const PointGather& gather_;
     std::uint64_t seed_;
     std::function<bool()> go_on_;
+    double least_cosine_ = 2.0;             // none are shared
     std::vector<std::vector<bool>> clear_;  // per patch and source: nothing can stand between
 };
 

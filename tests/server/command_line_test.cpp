@@ -197,9 +197,11 @@ TEST(CommandLine, WrongArgumentsAreRefused) {
     expect_refused(solve + "--size 10x10", "--image");
 }
 
-TEST(CommandLine, WhatIsNotBuiltYetIsRefused) {
-    const std::string solve = "solve " + box_file() + " ";
-    expect_refused(solve + "--solver hierarchical", "is not built yet; ");
+TEST(CommandLine, ClustersWantAnAccuracy) {
+    const std::string solve = "solve " + box_file() + " --solver hierarchical ";
+    expect_refused(solve + "--patch-size 0.1", "solves to an accuracy; give `accuracy`");
+    const Outcome outcome = run_program(solve + "--accuracy 0.1 --quiet");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST(CommandLine, AFullDiskIsOurSide) {

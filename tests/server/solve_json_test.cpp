@@ -44,10 +44,6 @@ TEST(SolveJson, ThePatchSizeIsInTheUnitOfTheScene) {
     EXPECT_DOUBLE_EQ(*read_scene_text(scene.dump()).settings.patch_size, 0.05);
 }
 
-TEST(SolveJson, WhatIsNotBuiltYetIsRefused) {
-    expect_setting_rejected("solver", "\"hierarchical\"", "not built yet");
-}
-
 TEST(SolveJson, WrongSettingsAreRefused) {
     expect_setting_rejected("solver", "\"gaus-seidel\"", "did you mean 'gauss-seidel'?");
     expect_setting_rejected("solver", "3", "must be a text");

@@ -23,9 +23,23 @@ std::string refused_at(const std::function<void(SolveSettings&)>& change) {
     return "not refused";
 }
 
-TEST(PlanSolve, RefusesWhatIsNotBuiltWithThePointer) {
-    EXPECT_EQ(refused_at([](SolveSettings& s) { s.method = Method::hierarchical; }),
+TEST(PlanSolve, CarriesLightOnClustersToAnAccuracyAlone) {
+    EXPECT_EQ(refused_at([](SolveSettings& s) {
+                  s.method = Method::hierarchical;
+                  s.patch_size = 0.1;
+              }),
               "/solve/solver");
+    EXPECT_EQ(refused_at([](SolveSettings& s) {
+                  s.method = Method::hierarchical;
+                  s.accuracy = 0.1;
+                  s.engine = Engine::hemicube;
+              }),
+              "/solve/form_factors");
+    SolveSettings given;
+    given.method = Method::hierarchical;
+    const SolveSettings planned = plan_solve(room(), given).settings;
+    EXPECT_EQ(planned.engine, Engine::ray_cast);
+    EXPECT_TRUE(planned.accuracy);
 }
 
 TEST(PlanSolve, RefusesSettingsThatWouldDoNothing) {
