@@ -20,7 +20,7 @@ namespace {
 constexpr double default_accuracy = 0.02;
 constexpr int default_analytic_rays = 1024;
 constexpr int coarse_rays = 256;  // where the display is gathered anew
-constexpr int cluster_rays = 1024;
+constexpr int cluster_rays = 256;
 constexpr double fewest_coarse_patches = 40.0, most_coarse_patches = 300.0;
 constexpr double coarse_patch_share = 3.0;  // of a coarse solution's patches, over the accuracy
 constexpr std::size_t most_matrix_patches = 8000;  // of a coarse solution: more take too long

@@ -8,7 +8,7 @@
 
 namespace patchlight {
 
-constexpr std::size_t most_clusters = 4000;  // of a scene
+constexpr std::size_t most_clusters = 20'000;  // of a scene
 
 /// Patches that carry light together: they lie close by and face alike. Piecewise constant
 /// radiosity on unions of polygons keeps reciprocity, closure and the solvers as they stand, so
