@@ -102,21 +102,29 @@ std::vector<std::vector<Segment>> find_contact_lines(const Scene& scene,
         const std::vector<SurfaceIndex>& known = overlaps.covered_by[s];
         return std::binary_search(known.begin(), known.end(), other);
     };
-    const auto note = [&](SurfaceIndex s, SurfaceIndex other) {
-        if (covers(s, other) || covers(other, s)) return;
-        if (!meet_plane(scene.surfaces[s], scene.surfaces[other], tolerance.between(s, other))
-                 .empty())
-            visitors[s].push_back(other);
+    const auto visits = [&](SurfaceIndex s, SurfaceIndex other) {
+        return !meet_plane(scene.surfaces[s], scene.surfaces[other], tolerance.between(s, other))
+                    .empty();
     };
+    struct Visit {
+        SurfaceIndex other = 0;
+        bool here = false, there = false;
+    };
+    std::vector<std::vector<Visit>> found(scene.surfaces.size());
     for_each_touching_pair(scene, tolerance, go_on, [&](SurfaceIndex a, SurfaceIndex b) {
-        note(a, b);
-        note(b, a);
+        if (covers(a, b) || covers(b, a)) return;
+        const Visit visit{b, visits(a, b), visits(b, a)};
+        if (visit.here || visit.there) found[a].push_back(visit);
     });
-    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
-        std::sort(visitors[s].begin(), visitors[s].end());
-        if (go_on && !visitors[s].empty() && !go_on()) break;
-        for (const SurfaceIndex other : visitors[s]) add(s, other);
-    }
+    for (SurfaceIndex a = 0; a < found.size(); ++a)
+        for (const Visit& visit : found[a]) {
+            if (visit.here) visitors[a].push_back(visit.other);
+            if (visit.there) visitors[visit.other].push_back(a);
+        }
+    for (std::vector<SurfaceIndex>& of : visitors) std::sort(of.begin(), of.end());
+    for_each_in_parallel(visitors.size(), go_on, [&](std::size_t s) {
+        for (const SurfaceIndex other : visitors[s]) add(static_cast<SurfaceIndex>(s), other);
+    });
     return lines;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 namespace patchlight {
@@ -88,24 +89,29 @@ std::vector<Vec2> clip_left(const std::vector<Vec2>& polygon, const Vec2& a, con
 
 CoplanarOverlaps find_coplanar_overlaps(const Scene& scene, const std::function<bool()>& go_on) {
     const std::size_t n = scene.surfaces.size();
+    const LocalTolerance tolerance(scene);
     std::vector<Triangles> known(n);  // of surfaces that were looked at
+    std::vector<std::once_flag> is_known(n);
     const auto triangles = [&](SurfaceIndex s) -> const Triangles& {
-        if (known[s].empty()) known[s] = triangles_of(scene.surfaces[s]);
+        std::call_once(is_known[s], [&] { known[s] = triangles_of(scene.surfaces[s]); });
         return known[s];
     };
-    const LocalTolerance tolerance(scene);
+    std::vector<std::vector<SurfaceIndex>> later(n);  // that overlap
+    for_each_touching_pair(scene, tolerance, go_on, [&](SurfaceIndex a, SurfaceIndex b) {
+        const double reach = tolerance.between(a, b);
+        if (may_overlap(scene.surfaces[a], scene.surfaces[b], reach) &&
+            overlap(scene.surfaces[a], scene.surfaces[b], triangles(a), triangles(b), reach))
+            later[a].push_back(b);
+    });
     CoplanarOverlaps overlaps{std::vector<std::vector<SurfaceIndex>>(n),
                               std::vector<std::vector<SurfaceIndex>>(n)};
-    for_each_touching_pair(scene, tolerance, go_on, [&](SurfaceIndex a, SurfaceIndex b) {
-        const Surface &first = scene.surfaces[a], &later = scene.surfaces[b];
-        const double reach = tolerance.between(a, b);
-        if (!may_overlap(first, later, reach) ||
-            !overlap(first, later, triangles(a), triangles(b), reach))
-            return;
-        overlaps.partners[a].push_back(b);
-        overlaps.partners[b].push_back(a);
-        if (first.normal.dot(later.normal) > 0.0) overlaps.covered_by[a].push_back(b);
-    });
+    for (SurfaceIndex a = 0; a < n; ++a)
+        for (const SurfaceIndex b : later[a]) {
+            overlaps.partners[a].push_back(b);
+            overlaps.partners[b].push_back(a);
+            if (scene.surfaces[a].normal.dot(scene.surfaces[b].normal) > 0.0)
+                overlaps.covered_by[a].push_back(b);
+        }
     for (auto& partners : overlaps.partners) std::sort(partners.begin(), partners.end());
     for (auto& covers : overlaps.covered_by) std::sort(covers.begin(), covers.end());
     return overlaps;
