@@ -64,9 +64,11 @@ void refuse_idle(const SolveSettings& settings) {
                          "the form factors \"hemicube\" cast no rays; give `hemicube_resolution`");
 }
 
-std::string engine_reason(Engine asked, Engine chosen) {
-    switch (asked) {
+std::string engine_reason(const SolveSettings& asked, Engine chosen) {
+    switch (asked.engine) {
         case Engine::automatic:
+            if (asked.method == Method::hierarchical)
+                return "Ray-cast form factors, as clusters of patches need";
             if (chosen == Engine::hemicube)
                 return "Hemicube form factors, for their resolution is given";
             if (chosen == Engine::ray_cast)
@@ -168,7 +170,7 @@ SolvePlan plan_solve(const Scene& scene, const SolveSettings& settings) {
     if (!s.ambient && shoots) s.ambient = true;
     if (s.threads <= 0)
         s.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    plan.why = engine_reason(settings.engine, s.engine) + method_reason(scene, s.method);
+    plan.why = engine_reason(settings, s.engine) + method_reason(scene, s.method);
     if (s.accuracy)
         plan.why +=
             " That solution is coarse: what is shown is gathered from it, and refined until the "

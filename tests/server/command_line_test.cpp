@@ -200,7 +200,7 @@ TEST(CommandLine, WrongArgumentsAreRefused) {
 TEST(CommandLine, ClustersWantAnAccuracy) {
     const std::string solve = "solve " + box_file() + " --solver hierarchical ";
     expect_refused(solve + "--patch-size 0.1", "solves to an accuracy; give `accuracy`");
-    const Outcome outcome = run_program(solve + "--accuracy 0.1 --quiet");
+    const Outcome outcome = run_program(solve + "--accuracy 0.1 --form-factors auto");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
