@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Each, LightClusterCount,
 /// Light on one side says nothing of that on the other.
 TEST(LightClusters, DivideTheSidesOfAThinWall) {
     const CutScene pieces = furnished();
-    const LightClusters clusters = make_light_clusters(pieces.scene, pieces.mesh, 200);
+    const LightClusters clusters = make_light_clusters(pieces.scene, pieces.mesh, 400);
     for (std::size_t c = 0; c < clusters.size(); ++c)
         for (const PatchIndex i : clusters.members(c)) {
             const PatchIndex first = clusters.members(c).front();
