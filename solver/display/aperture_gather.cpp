@@ -1,7 +1,5 @@
 #include "solver/display/point_gather.h"
 
-#include "solver/form_factors/point_factor.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -178,9 +176,7 @@ PointGather::ThroughApertures PointGather::through_apertures(const GatherPoint& 
     double whole = 0.0;
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         if (point.clear && (*point.clear)[s]) continue;
-        const LightSource& source = sources_[s];
-        whole += luminance(source.exitance) *
-                 point_factor(point.position, point.normal, source.polygon, source.normal);
+        whole += luminance(sources_[s].exitance) * factor(point, s, effort.alike);
     }
     if (!(whole > 0.0)) return {};
     return {through(point, whole, effort, mix(key, sources_.size())).irradiance, whole};

@@ -13,8 +13,8 @@ namespace {
 
 /// Sources gathered from one by one: all of them in a room, a few in a building of many patches.
 /// The rest are as good as bright walls to rays.
-constexpr std::size_t fewest_sources = 8, most_sources = 2048;
-constexpr std::size_t most_source_pairs = 50'000'000;
+constexpr std::size_t fewest_sources = 8, most_sources = 10'000;
+constexpr std::size_t most_source_pairs = 2'000'000'000;
 constexpr int most_rays = 1 << 16;  // of one point
 /// Of direct light: what takes more is hardly bends, and is measured before it is cut further.
 constexpr std::size_t most_first_vertices = 100'000, most_times = 3;

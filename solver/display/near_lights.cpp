@@ -1,5 +1,7 @@
 #include "solver/display/near_lights.h"
 
+#include <oneapi/tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -50,14 +52,14 @@ NearLights::NearLights(const Scene& scene, const PatchMesh& mesh, const RayScene
             add(light);
         }
     }
-    for (PatchIndex i = 0; i < mesh.size(); ++i) {
+    tbb::parallel_for(PatchIndex{0}, static_cast<PatchIndex>(mesh.size()), [&](PatchIndex i) {
         const Patch& patch = mesh.patches[i];
         Disc disc{patch.centre, scene.surfaces[patch.surface].normal, 0.0};
         for (const std::uint32_t v : patch.vertices)
             disc.radius = std::max(disc.radius, (mesh.vertices[v] - patch.centre).norm());
         for (std::uint32_t l = 0; l < lights_.size(); ++l)
             if (hides_spot(disc, lights_[l], 0.0)) near_[i].push_back(l);
-    }
+    });
 }
 
 void NearLights::add(const Light& light) {

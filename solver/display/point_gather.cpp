@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace patchlight {
@@ -18,6 +19,7 @@ constexpr double outlines = 2.0;
 constexpr double of_lamp = 0.1;           // of the noise that is of no matter, one lamp's [1]
 constexpr double most_times_first = 8.0;  // as many first samples of a source, however bright
 constexpr double wide = 0.15;  // of a point's view: a source may be sampled by directions [1]
+constexpr std::size_t many_sources = 256;
 constexpr double wide_for_height = 4.0;  // above its plane: most of its area hardly counts [1]
 
 bool is_wide_from(const LightSource& source, const Vec3& from) {
@@ -61,6 +63,8 @@ PointGather::PointGather(const RayScene& rays, std::vector<LightSource> sources,
       gaps_(apertures, sources_, rays),
       apertures_(that_hide_lamps(apertures), sources_, rays),
       points_(static_cast<std::size_t>(std::max(most_samples, ray_batch))) {
+    if (sources_.size() > many_sources)
+        for (const LightSource& source : sources_) afar_.push_back(make_afar(source));
     for (std::uint32_t s = 0; s < sources_.size(); ++s) {
         source_of_.resize(std::max<std::size_t>(source_of_.size(), sources_[s].surface + 1), 0);
         source_of_[sources_[s].surface] = s + 1;
@@ -75,6 +79,29 @@ GatherPoint PointGather::at(const Vec3& position, const Vec3& normal, float lift
     point.frame = frame;
     point.origin = rays_.to_ray_space(position, frame) + lift * normal.cast<float>();
     return point;
+}
+
+PointGather::Afar PointGather::make_afar(const LightSource& source) {
+    const std::span<const Vec3> corners = source.polygon.view();
+    Afar afar{centroid(corners, source.normal), source.normal, source.area / std::numbers::pi};
+    for (const Vec3& p : corners)
+        afar.squared_radius = std::max(afar.squared_radius, (p - afar.centre).squaredNorm());
+    return afar;
+}
+
+double PointGather::factor(const GatherPoint& point, std::size_t s, double may_err) const {
+    if (!afar_.empty()) {
+        const Afar& afar = afar_[s];
+        const Vec3 ray = afar.centre - point.position;
+        const double squared = ray.squaredNorm();
+        if (afar.squared_radius < may_err * squared) {
+            const double here = ray.dot(point.normal), there = -ray.dot(afar.normal);
+            return here > 0.0 && there > 0.0
+                       ? afar.area_over_pi * here * there / (squared * squared)
+                       : 0.0;
+        }
+    }
+    return point_factor(point.position, point.normal, sources_[s].polygon, sources_[s].normal);
 }
 
 /// Segments that are traced together, and what share of their weight is clear.
@@ -171,14 +198,13 @@ PointGather::Direct PointGather::direct(const GatherPoint& point, const DirectEf
     double whole = 0.0;
     for (std::size_t s = 0; s < sources_.size(); ++s) {
         const LightSource& source = sources_[s];
-        const double factor =
-            point_factor(point.position, point.normal, source.polygon, source.normal);
-        if (!(factor > 0.0)) continue;
+        const double seen = factor(point, s, effort.alike);
+        if (!(seen > 0.0)) continue;
         if (point.clear && (*point.clear)[s]) {
-            sum.irradiance += factor * source.exitance;
+            sum.irradiance += seen * source.exitance;
             continue;
         }
-        hidden.push_back({s, factor, factor * luminance(source.exitance)});
+        hidden.push_back({s, seen, seen * luminance(source.exitance)});
         whole += hidden.back().whole;
     }
     const auto add = [&](const Direct& more) {

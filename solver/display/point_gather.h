@@ -132,6 +132,18 @@ class PointGather {
 
     const RayScene& rays_;
     std::vector<LightSource> sources_;
+    /// A source as it looks from afar.
+    struct Afar {
+        Vec3 centre, normal;          // centroid [m]
+        double area_over_pi = 0.0;    // [m²]
+        double squared_radius = 0.0;  // of a sphere round it [m²]
+    };
+    static Afar make_afar(const LightSource& source);
+    /// Form factor to source s with nothing between; of many sources, of those far off, as if all
+    /// of it were in its middle, which is wrong by about the share (radius / distance)² of it.
+    double factor(const GatherPoint& point, std::size_t s, double may_err) const;
+
+    std::vector<Afar> afar_;  // per source, if they are many
     ApertureSet gaps_, apertures_;
     std::vector<std::uint32_t> source_of_;  // per surface: number and 1
     SobolPoints points_;

@@ -15,6 +15,10 @@ constexpr double lift_off_partner = 1.2;  // of the contact distance [1]
 /// Steps of float: more than rounding moves the ends of rays and segments by, and fewer than the
 /// four that surfaces at least are apart which are not in contact [1].
 constexpr double lift_alone = 3.5;
+/// Of a segment, from where on it is at its goal: where a ray meets a plane is known to some steps
+/// of float of the whole way, and a goal's own surface is not to block it. Of 400 lamps of 5 cm in
+/// a ceiling a tenth were dark to the point below their middle when this was 1.
+constexpr float before_end = 1.0f - 0x1p-21f;
 constexpr double float_step = 0x1p-23;
 constexpr float inside_edge = 4.0f;  // contact distances: where a hit on an edge is looked at again
 constexpr float largest_share = 0.05f;  // of a triangle's height, that counts as its edge
@@ -190,7 +194,7 @@ std::uint32_t RayScene::blocked(const RayBatch& segments, int count) const {
     if (frames() > 1) return blocked_between_frames(segments, count);
     RTCRay16 query;
     alignas(64) RayLanes valid;
-    fill_query(segments, count, 1.0f, query, valid);
+    fill_query(segments, count, before_end, query, valid);
     occlude(embree_->seen_from(0), valid, query);
     std::uint32_t bits = 0;
     for (int k = 0; k < count; ++k)
