@@ -9,8 +9,8 @@ namespace patchlight {
 
 namespace {
 
-/// Normals that differ by a radian make light differ as much as places do that lie 10 times the
-/// root of this apart, over the scene's size.
+/// Weight of squared differences of normals beside those of places over the scene's size: a radian
+/// counts as much as a tenth of that size.
 constexpr double normals_beside_places = 0.01;
 
 /// Sides that face away from each other, as those of a thin wall, have nothing in common.
