@@ -76,24 +76,23 @@ std::vector<Slit> slits_of(const SurfaceEdges& edges, const std::vector<Leak>& l
     return slits;
 }
 
-std::vector<Finding> shape_findings(const FlawSearch& search, const std::function<bool()>& go_on) {
-    const auto stopped = [&] { return go_on && !go_on(); };
+std::vector<Finding> shape_findings(const FlawSearch& search) {
     std::vector<Finding> findings;
-    if (stopped()) return findings;
+    if (search.stopped()) return findings;
     const SurfaceTree tree(search.scene);
     const SurfaceEdges edges = find_surface_edges(search.scene);
     const std::vector<Crack> cracks = find_cracks(search, edges);
-    if (stopped()) return findings;
-    const Assemblies assemblies = find_assemblies(search.scene, tree);
-    if (stopped()) return findings;
+    if (search.stopped()) return findings;
+    const Assemblies assemblies = find_assemblies(search, tree);
+    if (search.stopped()) return findings;
     std::vector<Leak> leaks = find_leaks(search, find_gaps(search, edges, tree, cracks));
-    if (stopped()) return findings;
+    if (search.stopped()) return findings;
     std::vector<Floating> floating = find_floating(search, assemblies, tree);
     const std::vector<Finding> openings = find_openings(search, slits_of(edges, leaks, cracks));
     settle(assemblies, leaks, floating);
     findings = leak_findings(search, leaks);
     append(findings, openings);
-    if (!stopped()) append(findings, find_flipped(search));
+    if (!search.stopped()) append(findings, find_flipped(search));
     append(findings, floating_findings(search, floating));
     append(findings, crack_findings(search, edges, cracks));
     append(findings, find_slivers(search));
@@ -107,7 +106,7 @@ std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverl
                                          const std::function<bool()>& go_on) {
     std::vector<Finding> findings = scene.findings;
     append(findings, overlap_findings(scene, overlaps));
-    append(findings, shape_findings(FlawSearch{scene, overlaps, rays, seed}, go_on));
+    append(findings, shape_findings(FlawSearch{scene, overlaps, rays, seed, go_on}));
     return merge_alike(std::move(findings));
 }
 
@@ -116,8 +115,8 @@ std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& over
                                 const std::function<bool()>& go_on) {
     std::vector<Finding> findings = find_geometry_flaws(scene, overlaps, rays, planned.seed, go_on);
     append(findings, emitter_findings(scene));
-    if (go_on && !go_on()) return findings;
-    const FlawSearch search{scene, overlaps, rays, planned.seed};
+    const FlawSearch search{scene, overlaps, rays, planned.seed, go_on};
+    if (search.stopped()) return findings;
     append(findings, find_wasted_light(search, is_told_of(findings, "flipped-normals")));
     append(findings, find_small_emitters(search, planned));
     append(findings, find_singularity(search));

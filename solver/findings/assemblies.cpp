@@ -1,10 +1,8 @@
 #include "solver/findings/assemblies.h"
 
-#include "solver/scene/local_tolerance.h"
+#include "solver/scene/touching_pairs.h"
 
 #include <Eigen/Geometry>
-
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <numeric>
@@ -61,13 +59,14 @@ class UnionFind {
 namespace {
 
 /// For each surface the earlier ones whose boxes come within reach of its own.
-std::vector<std::vector<SurfaceIndex>> near_ones(const Scene& scene, const SurfaceTree& tree,
-                                                 const LocalTolerance& tolerance) {
+std::vector<std::vector<SurfaceIndex>> near_ones(const FlawSearch& search,
+                                                 const SurfaceTree& tree) {
+    const Scene& scene = search.scene;
     std::vector<std::vector<SurfaceIndex>> near(scene.surfaces.size());
-    tbb::parallel_for(std::size_t{0}, near.size(), [&](std::size_t number) {
+    for_each_in_parallel(near.size(), search.go_on, [&](std::size_t number) {
         const auto s = static_cast<SurfaceIndex>(number);
         if (scene.surfaces[s].side == Side::back) return;
-        const Vec3 margin = Vec3::Constant(2.0 * tolerance.at(s));
+        const Vec3 margin = Vec3::Constant(2.0 * search.tolerance.at(s));
         const Box& box = tree.box(s);
         near[s] = tree.over(Box(box.min() - margin, box.max() + margin));
         std::erase_if(near[s], [&](SurfaceIndex other) { return other >= s; });
@@ -117,9 +116,10 @@ bool touch(const Surface& a, const Surface& b, double reach) {
            has_edge_through(a, b, reach) || has_edge_through(b, a, reach);
 }
 
-Assemblies find_assemblies(const Scene& scene, const SurfaceTree& tree) {
-    const LocalTolerance tolerance(scene);
-    const std::vector<std::vector<SurfaceIndex>> neighbours = near_ones(scene, tree, tolerance);
+Assemblies find_assemblies(const FlawSearch& search, const SurfaceTree& tree) {
+    const Scene& scene = search.scene;
+    const LocalTolerance& tolerance = search.tolerance;
+    const std::vector<std::vector<SurfaceIndex>> neighbours = near_ones(search, tree);
     UnionFind sets(scene.surfaces.size());
     for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
         if (scene.surfaces[s].side == Side::back) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "solver/findings/flaw_search.h"
 #include "solver/findings/surface_tree.h"
 
 #include <vector>
@@ -14,7 +15,7 @@ struct Assemblies {
     std::vector<std::uint32_t> of_surface;
     std::vector<std::vector<SurfaceIndex>> members;  // ascending; without back halves
 };
-Assemblies find_assemblies(const Scene& scene, const SurfaceTree& tree);
+Assemblies find_assemblies(const FlawSearch& search, const SurfaceTree& tree);
 
 /// Whether two surfaces come within `reach` of each other: a corner of one at the other, or an edge
 /// of one through the other.

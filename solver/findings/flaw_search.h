@@ -5,6 +5,7 @@
 #include "solver/scene/scene.h"
 
 #include <cstdint>
+#include <functional>
 
 namespace patchlight {
 
@@ -14,8 +15,11 @@ struct FlawSearch {
     const CoplanarOverlaps& overlaps;
     const RayScene& rays;
     std::uint64_t seed = 1;
+    /// Asked now and then: after a false the search ends, with the flaws it has come upon.
+    std::function<bool()> go_on = {};
 
     LocalTolerance tolerance{scene};
+    bool stopped() const { return go_on && !go_on(); }
     /// Of what surrounds surface s: its frame [m].
     double size(SurfaceIndex s) const { return tolerance.frame(s).size(); }
     double size_at(const Vec3& p) const { return tolerance.frames()[tolerance.frame_at(p)].size(); }

@@ -196,6 +196,7 @@ std::vector<Finding> FlippedSearch::find() {
     const std::size_t rays = std::clamp(all_rays / surfaces.size(), fewest_rays, most_rays);
     std::map<ObjectIndex, std::vector<SurfaceIndex>> flipped, both_see;
     for (std::size_t first = 0; first < surfaces.size(); first += at_a_time) {
+        if (search_.stopped()) break;
         const auto part =
             std::span(surfaces).subspan(first, std::min(at_a_time, surfaces.size() - first));
         const std::vector<Views> views = look(part, rays);

@@ -3,8 +3,7 @@
 #include "solver/findings/walkers.h"
 #include "solver/scene/finding_words.h"
 #include "solver/scene/polygon.h"
-
-#include <oneapi/tbb/parallel_for.h>
+#include "solver/scene/touching_pairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,14 +80,19 @@ bool is_reached_by_light(const FlawSearch& search, const Floating& one) {
 std::optional<Floating> nearest_support(const FlawSearch& search, const Assemblies& assemblies,
                                         const SurfaceTree& tree, std::uint32_t number) {
     const std::vector<SurfaceIndex>& body = assemblies.members[number];
-    const double size = box_of(tree, body).diagonal().norm();
+    const Box box = box_of(tree, body);
+    const double size = box.diagonal().norm();
     if (size > largest * search.size(body[0])) return std::nullopt;
     std::optional<Floating> nearest;
     double reach = near * size;
+    const Vec3 margin = Vec3::Constant(reach);
+    std::vector<SurfaceIndex> others = tree.over(Box(box.min() - margin, box.max() + margin));
+    std::erase_if(others, [&](SurfaceIndex s) { return assemblies.of_surface[s] == number; });
+    if (others.empty()) return std::nullopt;
+    const SurfaceTree others_tree = tree.only(others);
     for (const SurfaceIndex s : body)
         for (const Vec3& p : feelers(search.scene.surfaces[s]))
-            for (const SurfaceTree::Near& other : tree.within(p, reach)) {
-                if (assemblies.of_surface[other.surface] == number) continue;
+            for (const SurfaceTree::Near& other : others_tree.within(p, reach)) {
                 if (nearest && other.distance >= nearest->distance) continue;
                 if (!is_before(search.scene, other.surface, p)) continue;
                 nearest = Floating{s, other.surface, number, p, other.distance};
@@ -107,7 +111,7 @@ std::vector<Floating> find_floating(const FlawSearch& search, const Assemblies& 
                                     const SurfaceTree& tree) {
     const std::size_t count = assemblies.members.size();
     std::vector<std::optional<Floating>> found(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t number) {
+    for_each_in_parallel(count, search.go_on, [&](std::size_t number) {
         found[number] =
             nearest_support(search, assemblies, tree, static_cast<std::uint32_t>(number));
     });

@@ -1,6 +1,7 @@
 #include "solver/findings/gaps.h"
 
-#include <oneapi/tbb/parallel_for.h>
+#include "solver/scene/touching_pairs.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -72,7 +73,7 @@ std::vector<Gap> find_gaps(const FlawSearch& search, const SurfaceEdges& edges,
                            const SurfaceTree& tree, std::span<const Crack> cracks) {
     const std::vector<std::size_t> open = open_edges(search, edges, cracks);
     std::vector<std::optional<Gap>> widest_of(open.size());
-    tbb::parallel_for(std::size_t{0}, open.size(), [&](std::size_t k) {
+    for_each_in_parallel(open.size(), search.go_on, [&](std::size_t k) {
         const SurfaceEdge& edge = edges.edges[open[k]];
         const double length = edges.length(edge);
         const double contact = search.contact(edge.surfaces[0]);

@@ -3,8 +3,8 @@
 #include "solver/findings/walkers.h"
 #include "solver/rays/low_discrepancy.h"
 #include "solver/scene/finding_words.h"
+#include "solver/scene/touching_pairs.h"
 
-#include <oneapi/tbb/parallel_for.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -185,7 +185,7 @@ std::vector<Leak> find_leaks(const FlawSearch& search, std::span<const Gap> gaps
                      [](const Gap& a, const Gap& b) { return a.width > b.width; });
     if (widest.size() > most_gaps) widest.resize(most_gaps);
     std::vector<std::optional<Leak>> found(widest.size());
-    tbb::parallel_for(std::size_t{0}, widest.size(), [&](std::size_t k) {
+    for_each_in_parallel(widest.size(), search.go_on, [&](std::size_t k) {
         const std::uint64_t seed = mix(search.seed, widest[k].edge);
         if (leak_at(search, widest[k], first_rays, seed))
             found[k] = leak_at(search, widest[k], sure_rays, mix(seed, sure_rays));

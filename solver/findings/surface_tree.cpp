@@ -1,6 +1,7 @@
 #include "solver/findings/surface_tree.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace patchlight {
 
@@ -36,6 +37,20 @@ struct BoxQuery {
     }
 };
 
+std::shared_ptr<const std::vector<Box>> boxes_of(const Scene& scene) {
+    auto boxes = std::make_shared<std::vector<Box>>(scene.surfaces.size());
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+        for (const Vec3& p : scene.surfaces[s].corners) (*boxes)[s].extend(p);
+    return boxes;
+}
+
+std::vector<SurfaceIndex> fronts_of(const Scene& scene) {
+    std::vector<SurfaceIndex> fronts;
+    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s)
+        if (scene.surfaces[s].side == Side::front) fronts.push_back(s);
+    return fronts;
+}
+
 }  // namespace
 
 Vec3 nearest_point(const Surface& surface, const Vec3& p) {
@@ -53,25 +68,28 @@ Vec3 nearest_point(const Surface& surface, const Vec3& p) {
     return nearest;
 }
 
-SurfaceTree::SurfaceTree(const Scene& scene) : scene_(scene), boxes_(scene.surfaces.size()) {
-    std::vector<SurfaceIndex> listed;
+SurfaceTree::SurfaceTree(const Scene& scene, std::shared_ptr<const std::vector<Box>> boxes,
+                         std::vector<SurfaceIndex> listed)
+    : scene_(scene), boxes_(std::move(boxes)), listed_(std::move(listed)) {
     std::vector<Box> listed_boxes;
-    for (SurfaceIndex s = 0; s < scene.surfaces.size(); ++s) {
-        for (const Vec3& p : scene.surfaces[s].corners) boxes_[s].extend(p);
-        if (scene.surfaces[s].side == Side::back) continue;
-        listed.push_back(s);
-        listed_boxes.push_back(boxes_[s]);
-    }
-    tree_.init(listed.begin(), listed.end(), listed_boxes.begin(), listed_boxes.end());
+    listed_boxes.reserve(listed_.size());
+    for (const SurfaceIndex s : listed_) listed_boxes.push_back(box(s));
+    tree_.init(listed_.begin(), listed_.end(), listed_boxes.begin(), listed_boxes.end());
+}
+
+SurfaceTree::SurfaceTree(const Scene& scene)
+    : SurfaceTree(scene, boxes_of(scene), fronts_of(scene)) {}
+
+SurfaceTree SurfaceTree::only(const std::vector<SurfaceIndex>& surfaces) const {
+    return {scene_, boxes_, surfaces};
 }
 
 std::vector<SurfaceIndex> SurfaceTree::over(const Box& box) const {
-    BoxQuery query{box, boxes_};
+    BoxQuery query{box, *boxes_};
     if (tree_.getRootIndex() >= 0)
         Eigen::BVIntersect(tree_, query);
     else
-        for (SurfaceIndex s = 0; s < boxes_.size(); ++s)
-            if (scene_.surfaces[s].side == Side::front) query.intersectObject(s);
+        for (const SurfaceIndex s : listed_) query.intersectObject(s);
     std::sort(query.found.begin(), query.found.end());
     return std::move(query.found);
 }

@@ -4,6 +4,7 @@
 
 #include <unsupported/Eigen/BVH>
 
+#include <memory>
 #include <vector>
 
 namespace patchlight {
@@ -18,8 +19,10 @@ Vec3 nearest_point(const Surface& surface, const Vec3& p);
 class SurfaceTree {
   public:
     explicit SurfaceTree(const Scene& scene);
+    /// Of some of its surfaces alone.
+    SurfaceTree only(const std::vector<SurfaceIndex>& surfaces) const;
 
-    const Box& box(SurfaceIndex s) const { return boxes_[s]; }
+    const Box& box(SurfaceIndex s) const { return (*boxes_)[s]; }
 
     /// Surfaces whose boxes meet `box`.
     std::vector<SurfaceIndex> over(const Box& box) const;
@@ -32,8 +35,12 @@ class SurfaceTree {
     std::vector<Near> within(const Vec3& p, double reach) const;
 
   private:
+    SurfaceTree(const Scene& scene, std::shared_ptr<const std::vector<Box>> boxes,
+                std::vector<SurfaceIndex> listed);
+
     const Scene& scene_;
-    std::vector<Box> boxes_;
+    std::shared_ptr<const std::vector<Box>> boxes_;  // of all surfaces
+    std::vector<SurfaceIndex> listed_;
     Eigen::KdBVH<double, 3, SurfaceIndex> tree_;
 };
 
