@@ -18,6 +18,7 @@ constexpr std::size_t most_source_pairs = 2'000'000'000;
 constexpr int most_rays = 1 << 16;  // of one point
 /// Of direct light: what takes more is hardly bends, and is measured before it is cut further.
 constexpr std::size_t most_first_vertices = 100'000, most_times = 3;
+constexpr std::size_t most_times_roots = 2;  // of indirect light's vertices, where roots are many
 constexpr int most_levels = 14;        // gaps of a millimetre in walls of metres
 constexpr double expected_miss = 0.5;  // of indirect light's target, however smooth it looks [1]
 constexpr int most_bend_cuts = 2;      // each leaves a quarter
@@ -125,6 +126,7 @@ bool DisplayPass::refine_indirect(const Aim& aim, const ReflectedField& field, i
     rule.target = aim.target;
     rule.must_cut = [&](const TreeElement& element) { return element.area > area_ / aim.elements; };
     rule.closer = &closer_;
+    rule.most_vertices = std::max(rule.most_vertices, most_times_roots * roots_);
     rule.follow = !closer_.empty();
     if (!indirect_->refine(tree_, weight_, rule, gather(0))) return false;
     indirect_->smooth(tree_, weight_, expected_miss * aim.target / std::sqrt(area_));
