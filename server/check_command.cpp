@@ -1,8 +1,8 @@
 #include "server/check_command.h"
 
-#include "server/misplaced_things.h"
 #include "server/scene_file.h"
 #include "server/summary.h"
+#include "server/viewpoints.h"
 #include "solver/foretell_time.h"
 #include "solver/solve_scene.h"
 
@@ -34,8 +34,7 @@ int CheckCommand::run() const {
     const Scene& scene = job.scene;
     const double seconds =
         cost.memory > cost.memory_limit ? cost.seconds : foretell_seconds(job.scene, job.settings);
-    std::vector<Finding> findings = find_flaws(scene, job.settings);
-    for (Finding& finding : find_misplaced(job).findings) findings.push_back(std::move(finding));
+    std::vector<Finding> findings = find_flaws(scene, job.settings, viewpoints(job));
     std::cout << "scene:     objects " << scene.objects.size() << ", polygons "
               << scene.surfaces.size() << ", materials " << scene.materials.size() << ", cameras "
               << job.cameras.size() << ", sensors " << scene.sensors.size() << "\n"

@@ -110,8 +110,7 @@ void require_finite(const Json& value, const std::string& at = "") {
 
 }  // namespace
 
-Json result_json(const Job& job, const Solution& solution, const RunReport& report,
-                 const std::vector<bool>& misplaced) {
+Json result_json(const Job& job, const Solution& solution, const RunReport& report) {
     Json result{{"version", 1},
                 {"patchlight", program_version()},
                 {"status", name_of(solution.status)},
@@ -127,7 +126,7 @@ Json result_json(const Job& job, const Solution& solution, const RunReport& repo
     result["convergence"] = convergence_of(solution.convergence);
     result["objects"] = object_results(job.scene, solution);
     result["sensors"] = sensor_results(job.scene, solution);
-    result["grids"] = grid_results(job.scene, solution, misplaced);
+    result["grids"] = grid_results(job.scene, solution);
     result["images"] = images_of(report.images, job.units);
     result["findings"] = finding_list(solution.findings);
     result["seconds"] = seconds_of(solution.seconds, report);

@@ -7,16 +7,13 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
-#include <vector>
 
 namespace patchlight::server {
 
 /// The result document, `result_hash` included. All in SI; a quantity that is not known is not
-/// there. `misplaced`: sensors that grids leave out. Throws std::logic_error rather than write a
-/// number that is not finite.
+/// there. Throws std::logic_error rather than write a number that is not finite.
 nlohmann::ordered_json result_json(const Job& job, const Solution& solution,
-                                   const RunReport& report,
-                                   const std::vector<bool>& misplaced = {});
+                                   const RunReport& report);
 
 /// SHA-256 of the result without what differs from run to run or from machine to machine
 /// (`seconds` of the stages and of each iteration, `threads`, `peak_memory_bytes`, `memory_limit`,

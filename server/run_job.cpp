@@ -4,15 +4,14 @@
 
 #include "server/exposure.h"
 #include "server/false_colour.h"
-#include "server/misplaced_things.h"
 #include "server/result_json.h"
+#include "server/viewpoints.h"
 #include "solver/solve_scene.h"
 
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <chrono>
-#include <iterator>
 #include <utility>
 
 namespace patchlight::server {
@@ -77,10 +76,7 @@ JobResult run_job(const Job& job, const std::vector<PictureRequest>& requests, d
                   const Observer& observe) {
     const Clock::time_point start = Clock::now();
     JobResult result;
-    Misplaced misplaced = find_misplaced(job);
-    result.solution = solve_scene(job.scene, job.settings, observe);
-    std::move(misplaced.findings.begin(), misplaced.findings.end(),
-              std::back_inserter(result.solution.findings));
+    result.solution = solve_scene(job.scene, job.settings, observe, viewpoints(job));
     const Clock::time_point solved = Clock::now();
     result.images = take_pictures(job, result.solution, requests);
     for (const MadeImage& image : result.images) result.run.images.push_back(image.report);
@@ -90,7 +86,7 @@ JobResult run_job(const Job& job, const std::vector<PictureRequest>& requests, d
     using Control = tbb::global_control;
     result.run.threads = static_cast<int>(Control::active_value(Control::max_allowed_parallelism));
     result.run.peak_memory = peak_memory();
-    result.document = result_json(job, result.solution, result.run, misplaced.sensors);
+    result.document = result_json(job, result.solution, result.run);
     return result;
 }
 

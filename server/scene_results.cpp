@@ -15,15 +15,14 @@ std::size_t size_of(const SensorGrid& grid) {
 }
 
 /// Points that lie in a solid or outside the room are left out, and counted.
-Json grid_result(const SensorGrid& grid, const Solution& solution,
-                 const std::vector<bool>& misplaced) {
+Json grid_result(const SensorGrid& grid, const Solution& solution) {
     const std::size_t count = size_of(grid);
     double least = std::numeric_limits<double>::infinity();
     double most = 0.0;
     double sum = 0.0;
     std::size_t left_out = 0;
     for (std::size_t k = grid.first; k < grid.first + count; ++k) {
-        if (k < misplaced.size() && misplaced[k]) {
+        if (k < solution.misplaced.size() && solution.misplaced[k]) {
             ++left_out;
             continue;
         }
@@ -90,12 +89,11 @@ Json sensor_results(const Scene& scene, const Solution& solution) {
     return list;
 }
 
-Json grid_results(const Scene& scene, const Solution& solution,
-                  const std::vector<bool>& misplaced) {
+Json grid_results(const Scene& scene, const Solution& solution) {
     Json list = Json::array();
     for (const SensorGrid& grid : scene.grids)  // unless the work ended before all was gathered
         if (grid.first + size_of(grid) <= solution.sensors.size())
-            list.push_back(grid_result(grid, solution, misplaced));
+            list.push_back(grid_result(grid, solution));
     return list;
 }
 

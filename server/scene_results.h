@@ -19,9 +19,8 @@ nlohmann::ordered_json object_results(const Scene& scene, const Solution& soluti
 nlohmann::ordered_json sensor_results(const Scene& scene, const Solution& solution);
 
 /// Of scalar illuminance over each grid; `uniformity` is min / mean, absent in the dark. `left_out`
-/// counts the points that are `misplaced`, of which the rest says nothing.
-nlohmann::ordered_json grid_results(const Scene& scene, const Solution& solution,
-                                    const std::vector<bool>& misplaced = {});
+/// counts the points that are misplaced, of which the rest says nothing.
+nlohmann::ordered_json grid_results(const Scene& scene, const Solution& solution);
 
 nlohmann::ordered_json finding_list(const std::vector<Finding>& findings);
 

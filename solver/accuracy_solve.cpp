@@ -27,7 +27,9 @@ constexpr int most_contradictions = 1;  // of particles, that rounds are to mend
 constexpr int most_rounds = 12;
 constexpr int rounds_between = 2;  // that cost little, where what rays read is wrong
 /// Of a time limit: what is left when gathering ends is for check points, particles, and the rest.
-constexpr double for_gathering = 0.85, for_checking = 0.91, for_particles = 0.96;
+constexpr double for_searching = 0.4, for_gathering = 0.85, for_checking = 0.91,
+                 for_particles = 0.96, for_sensors = 0.98;
+constexpr double shows_to_come = 5.0;  // times as long as showing the field takes
 /// Of the target: light that comes between one plane and another tilted against it is (1 - cosine)
 /// / 2 of what is alike all round.
 constexpr double tilt_of_target = 0.5;
@@ -40,14 +42,20 @@ class AccuracySolve {
           solution_(stage.solution),
           target_(*stage.solution.settings.accuracy),
           light_(stage.scene, solution_.mesh, stage.rays, lines, seed(0x76657274),
-                 [this] { return go_on(); }),
-          next_aim_(target_) {}
+                 {[this] { return go_on(); }, [&stage] { return search_on(stage); }}),
+          next_aim_(target_) {
+        is_made_ = true;
+    }
 
     void run();
 
   private:
+    static bool search_on(const SolveStage& stage) {
+        return stage.watch.step({Stage::form_factors}, for_searching) == StopReason::tolerance;
+    }
     std::uint64_t seed(std::uint64_t stream) const { return mix(solution_.settings.seed, stream); }
     bool go_on() {
+        if (is_made_) stage_.watch.reserve(shows_to_come * light_.seconds_to_show(), for_gathering);
         if (stopped_ == StopReason::tolerance)
             stopped_ = stage_.watch.step({Stage::display}, for_gathering);
         return stopped_ == StopReason::tolerance;
@@ -88,6 +96,7 @@ class AccuracySolve {
     Solution& solution_;
     double target_;
     StopReason stopped_ = StopReason::tolerance;
+    bool is_made_ = false;  // the light, which asks for time while it is
     GatheredLight light_;
     PreparedTransport prepared_;
     GatherAim aim_;
@@ -218,11 +227,12 @@ void AccuracySolve::light_sensors() {
     if (stage_.scene.sensors.empty() || !light_.field()) return;
     const SensorEffort effort =
         sensor_effort(aim_, light_.rays_taken(aim_), stage_.scene.sensors.size(), seed(0x73656e73));
-    solution_.sensors = light_at_sensors(
-        stage_.scene, stage_.rays, light_.pass().points().gather(), *light_.field(), effort,
-        [&](double fraction) {
-            return stage_.watch.step({Stage::display, fraction}) == StopReason::tolerance;
-        });
+    solution_.sensors =
+        light_at_sensors(stage_.scene, stage_.rays, light_.pass().points().gather(),
+                         *light_.field(), effort, [&](double fraction) {
+                             return stage_.watch.step({Stage::display, fraction}, for_sensors) ==
+                                    StopReason::tolerance;
+                         });
     if (light_.reflects()) return;
     double most = 0.0, worst = 0.0;
     for (const SensorReport& sensor : solution_.sensors)

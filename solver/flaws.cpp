@@ -7,6 +7,7 @@
 #include "solver/findings/gaps.h"
 #include "solver/findings/leaks.h"
 #include "solver/findings/merge.h"
+#include "solver/findings/misplaced.h"
 #include "solver/findings/openings.h"
 #include "solver/findings/overlaps.h"
 #include "solver/findings/singularity.h"
@@ -110,24 +111,31 @@ std::vector<Finding> find_geometry_flaws(const Scene& scene, const CoplanarOverl
     return merge_alike(std::move(findings));
 }
 
-std::vector<Finding> find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps,
-                                const RayScene& rays, const SolveSettings& planned,
-                                const std::function<bool()>& go_on) {
-    std::vector<Finding> findings = find_geometry_flaws(scene, overlaps, rays, planned.seed, go_on);
-    append(findings, emitter_findings(scene));
+Flaws find_flaws(const Scene& scene, const CoplanarOverlaps& overlaps, const RayScene& rays,
+                 const SolveSettings& planned, std::span<const Viewpoint> viewpoints,
+                 const std::function<bool()>& go_on) {
     const FlawSearch search{scene, overlaps, rays, planned.seed, go_on};
-    if (search.stopped()) return findings;
-    append(findings, find_wasted_light(search, is_told_of(findings, "flipped-normals")));
-    append(findings, find_small_emitters(search, planned));
-    append(findings, find_singularity(search));
-    return findings;
+    Misplaced misplaced = find_misplaced(search, viewpoints);
+    Flaws flaws{find_geometry_flaws(scene, overlaps, rays, planned.seed, go_on),
+                std::move(misplaced.sensors)};
+    append(flaws.findings, emitter_findings(scene));
+    if (!search.stopped()) {
+        append(flaws.findings,
+               find_wasted_light(search, is_told_of(flaws.findings, "flipped-normals")));
+        append(flaws.findings, find_small_emitters(search, planned));
+        append(flaws.findings, find_singularity(search));
+    }
+    append(flaws.findings, std::move(misplaced.findings));
+    return flaws;
 }
 
-std::vector<Finding> find_flaws(const Scene& scene, const SolveSettings& settings) {
+std::vector<Finding> find_flaws(const Scene& scene, const SolveSettings& settings,
+                                std::span<const Viewpoint> viewpoints) {
     if (scene.surfaces.empty()) return scene.findings;
     const CoplanarOverlaps overlaps = find_coplanar_overlaps(scene);
     return find_flaws(scene, overlaps, RayScene(scene, overlaps),
-                      plan_solve(scene, settings).settings);
+                      plan_solve(scene, settings).settings, viewpoints)
+        .findings;
 }
 
 }  // namespace patchlight

@@ -12,12 +12,14 @@ namespace patchlight {
 
 namespace {
 
+constexpr double for_transport = 0.2;  // of the time that is left, if there is a limit
+
 PreparedTransport carry_on_clusters(const SolveStage& stage, std::uint64_t seed) {
     Solution& solution = stage.solution;
     LightClusters clusters = make_light_clusters(stage.scene, solution.mesh, most_clusters);
     ClusterExchange exchange = find_cluster_exchange(
         stage.scene, solution.mesh, stage.rays, clusters, *solution.settings.rays,
-        mix(seed, 0x636c7573), [&](double fraction) {
+        for_transport * stage.watch.seconds_left(), mix(seed, 0x636c7573), [&](double fraction) {
             return stage.watch.step({Stage::form_factors, fraction}) == StopReason::tolerance;
         });
     PreparedTransport prepared;

@@ -134,6 +134,7 @@ struct Solution {
     std::vector<ConvergenceStep> convergence;
     std::vector<ObjectReport> objects;  // as in scene.objects
     std::vector<SensorReport> sensors;  // as in scene.sensors; the first of them if work ended
+    std::vector<bool> misplaced;        // as in scene.sensors: lies in a solid or outside the room
     std::vector<Finding> findings;
     StageSeconds seconds;
 };

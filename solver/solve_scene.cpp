@@ -45,6 +45,9 @@ DisplayMesh display_of(const SolveStage& stage, const DisplayHints& hints) {
 
 namespace {
 
+/// Of a time limit: by then what the scene is searched for that only its author needs to know.
+constexpr double for_findings = 0.35;
+
 /// Light that no surface absorbs never dies out, and there is no solution.
 void refuse_impossible(const std::vector<Material>& materials) {
     for (const Material& material : materials) {
@@ -117,7 +120,8 @@ void count_all_as_missing(const Scene& scene, Solution& solution) {
 
 }  // namespace
 
-Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe) {
+Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Observer& observe,
+                     std::span<const Viewpoint> viewpoints) {
     if (scene.surfaces.empty())
         throw InputError("/objects", "nothing with an area is left to solve");
     refuse_impossible(scene.materials);
@@ -145,7 +149,11 @@ Solution solve_scene(const Scene& scene, const SolveSettings& settings, const Ob
         return solution;
     }
     const RayScene rays(scene, lines.overlaps);
-    solution.findings = find_flaws(scene, lines.overlaps, rays, solution.settings, go_on);
+    Flaws flaws = find_flaws(scene, lines.overlaps, rays, solution.settings, viewpoints, [&] {
+        return watch.step({Stage::mesh}, for_findings) == StopReason::tolerance;
+    });
+    solution.findings = std::move(flaws.findings);
+    solution.misplaced = std::move(flaws.misplaced);
     solution.seconds.mesh = watch.lap();
     const SolveStage stage{scene, rays, watch, solution};
     if (solution.settings.accuracy) {

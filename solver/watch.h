@@ -3,6 +3,7 @@
 #include "solver/settings.h"
 #include "solver/transport/stop_rule.h"
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <optional>
@@ -32,10 +33,19 @@ class Watch {
         if (seconds_left(share) < 0.0) return StopReason::time_limit;
         return StopReason::tolerance;
     }
-    /// Until a share of the time limit has passed; without one for ever.
+    /// Until a share of the time limit has passed, or as much of the reserve as is kept with that
+    /// share is left; without a limit for ever.
     double seconds_left(double share = 1.0) const {
         if (!time_limit_) return std::numeric_limits<double>::infinity();
-        return share * *time_limit_ - std::chrono::duration<double>(Clock::now() - start_).count();
+        const double kept = share < 1.0 ? (1.0 - share) / reserved_from_ * reserve_ : 0.0;
+        return std::min(share * *time_limit_, *time_limit_ - kept) -
+               std::chrono::duration<double>(Clock::now() - start_).count();
+    }
+    /// Of a time limit: what the work is known to need after `share` of it, and in proportion
+    /// after larger shares [s].
+    void reserve(double seconds, double share) {
+        reserve_ = seconds;
+        reserved_from_ = 1.0 - share;
     }
     /// Of the whole time limit; may be asked from several threads.
     bool in_time() const { return seconds_left() > 0.0; }
@@ -47,6 +57,7 @@ class Watch {
     const Observer& observe_;
     std::optional<double> time_limit_;
     Clock::time_point start_ = Clock::now(), lap_ = start_;
+    double reserve_ = 0.0, reserved_from_ = 1.0;
 };
 
 /// What a solution says of why its work ended. Throws std::logic_error for no reason at all.

@@ -7,6 +7,7 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -28,14 +29,13 @@ constexpr double correction_tolerance = 0.1;  // of a correction that is itself 
 }  // namespace
 
 GatheredLight::GatheredLight(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                             const MeshLines& lines, std::uint64_t seed,
-                             std::function<bool()> go_on)
+                             const MeshLines& lines, std::uint64_t seed, StopTokens stops)
     : scene_(scene),
       mesh_(mesh),
       rays_(rays),
       overlaps_(lines.overlaps),
       seed_(seed),
-      pass_(scene, mesh, rays, lines, seed, std::move(go_on)),
+      pass_(scene, mesh, rays, lines, seed, std::move(stops)),
       locator_(scene, mesh, rays),
       irradiance_(mesh.size(), Rgb::Zero()) {
     sort_exitance();
@@ -57,6 +57,7 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
                           double tolerance, const CoarseTransport::Observe& observe) {
     constexpr double whatever_is_missed = 1e300;
     backs_ = backs;
+    transport_ = &transport;
     energy_aim_ = energy;
     coarse_.emplace(scene_, mesh_, transport, other_exitance_);
     if (transport.is_exact())
@@ -100,7 +101,10 @@ bool GatheredLight::start(const CoarseTransport& transport, const std::vector<do
 }
 
 bool GatheredLight::solve_coarse(double tolerance, const CoarseTransport::Observe& observe) {
+    const auto began = std::chrono::steady_clock::now();
     direct_means_ = means_of(pass_.show({})).direct;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    seconds_per_vertex_ = took.count() / static_cast<double>(pass_.tree().vertices().size());
     return coarse_->solve(direct_means_, tolerance, observe);
 }
 
@@ -246,6 +250,9 @@ void GatheredLight::show(const SplitIrradiance& gathered) {
 /// Direct light as far as it was gathered, and the rest as the coarse solution has it.
 void GatheredLight::show_what_there_is(double tolerance, const CoarseTransport::Observe& observe) {
     if (shown_) return;
+    if (pass_.direct().lacks_roots())
+        if (const auto guess = transport_->once(coarse_->to_field(listed_exitance_)))
+            pass_.guess_direct(to_rgb(*guess));
     const SplitIrradiance gathered = means_of(pass_.show({}));
     coarse_->solve(gathered.direct, tolerance, observe);
     field_means_ = coarse_->reflected();

@@ -45,7 +45,7 @@ EnergyAim energy_aim_for(double target, bool is_open, bool meets_backs);
 class GatheredLight {
   public:
     GatheredLight(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                  const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on);
+                  const MeshLines& lines, std::uint64_t seed, StopTokens stops);
 
     /// Direct light at the corners of patches and the coarse solution that follows. `backs`: the
     /// share of each patch's light that lands on backs.  `effort` grows until what samples of lamps
@@ -81,6 +81,10 @@ class GatheredLight {
     const GatherNoise& noise();  // measured when first asked for
     const std::optional<GatherNoise>& known_noise() const { return noise_; }
     const DisplayPass& pass() const { return pass_; }
+    /// What showing the field once takes about.
+    double seconds_to_show() const {
+        return seconds_per_vertex_ * static_cast<double>(pass_.tree().vertices().size());
+    }
     /// Where indirect light was found to be missed, the next round gathers more closely.
     void share_rays(double least_cosine) { pass_.share_rays(least_cosine); }
     void look_closer(std::span<const PointMiss> indirect) { pass_.look_closer(indirect); }
@@ -120,6 +124,7 @@ class GatheredLight {
     std::vector<double> backs_;         // [1]
     std::vector<Rgb> listed_exitance_;  // per patch, of sources gathered from one by one [W/m²]
     std::vector<Rgb> other_exitance_;   // per patch: of the rest, which rays read [W/m²]
+    const CoarseTransport* transport_ = nullptr;
     std::optional<CoarseSolution> coarse_;
     std::shared_ptr<const ReflectedField> field_, read_;  // displayed; what rays read
     std::vector<Rgb> field_means_, read_means_;           // of both, per patch [W/m²]
@@ -133,6 +138,7 @@ class GatheredLight {
     std::optional<BackGather> backs_open_;
     std::optional<TreeDisplay> shown_;
     bool read_coarsely_ = false;
+    double seconds_per_vertex_ = 5e-7;  // of showing it
     std::size_t direct_shown_ = 0;  // vertices where direct light was gathered, when it was shown
     std::optional<GatherNoise> noise_;
 };

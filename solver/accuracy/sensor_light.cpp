@@ -12,7 +12,7 @@ namespace patchlight {
 
 namespace {
 
-constexpr std::size_t sensors_together = 64;
+constexpr std::size_t sensors_together = 16;
 constexpr float clear_of_contact = 1.2f;  // of the contact distance: above what touches the sensor
 constexpr std::size_t parts = 4;          // gathered apart: what they differ by is their noise
 /// Half of Student's t of three degrees of freedom, beyond which 5 % lie: within two errors are
@@ -33,7 +33,7 @@ struct SensorLight {
     const SensorEffort& effort;
     std::vector<bool> is_listed;  // surfaces that are gathered from one by one
 
-    SensorReport at(const Sensor& sensor, std::size_t number) const;
+    SensorReport at(const Sensor& sensor, std::size_t number, const SensorEffort& with) const;
     double missed_by_field(const GatherPoint& sensor, std::uint64_t key) const;
     double missed_at(const RayPoint& at, SurfaceIndex s, std::uint64_t key) const;
 };
@@ -85,7 +85,8 @@ double SensorLight::missed_by_field(const GatherPoint& sensor, std::uint64_t key
     return std::sqrt(std::max(0.0, mean * mean - noise));
 }
 
-SensorReport SensorLight::at(const Sensor& sensor, std::size_t number) const {
+SensorReport SensorLight::at(const Sensor& sensor, std::size_t number,
+                             const SensorEffort& with) const {
     const FrameIndex frame = rays.frame_at(sensor.position);
     const GatherPoint point =
         gather.at(sensor.position, sensor.normal,
@@ -94,8 +95,8 @@ SensorReport SensorLight::at(const Sensor& sensor, std::size_t number) const {
     std::array<double, parts> seen{};
     for (std::size_t part = 0; part < parts; ++part) {
         const std::uint64_t key = mix(effort.seed, parts * number + part);
-        const Rgb indirect = gather.indirect(point, field, effort.rays, mix(key, 1)).irradiance;
-        const Rgb sum = gather.direct(point, effort.direct, key).irradiance + indirect;
+        const Rgb indirect = gather.indirect(point, field, with.rays, mix(key, 1)).irradiance;
+        const Rgb sum = gather.direct(point, with.direct, key).irradiance + indirect;
         seen[part] = luminance(sum);
         report.irradiance += sum / static_cast<double>(parts);
         report.reflected += luminance(indirect) / static_cast<double>(parts);
@@ -104,8 +105,18 @@ SensorReport SensorLight::at(const Sensor& sensor, std::size_t number) const {
     double squares = 0.0;
     for (const double part : seen) squares += (part - mean) * (part - mean);
     const double noise = of_standard_error * std::sqrt(squares / (parts * (parts - 1)));
-    report.error = std::hypot(noise, passed_on * missed_by_field(point, mix(effort.seed, ~number)));
+    report.error = noise;
+    if (with.rays_of_look > 0)
+        report.error =
+            std::hypot(noise, passed_on * missed_by_field(point, mix(effort.seed, ~number)));
     return report;
+}
+
+SensorEffort in_a_hurry(SensorEffort effort) {
+    effort.direct = few_samples;
+    effort.rays = ray_batch * 2;
+    effort.rays_of_look = 0;
+    return effort;
 }
 
 }  // namespace
@@ -134,10 +145,14 @@ std::vector<SensorReport> light_at_sensors(const Scene& scene, const RayScene& r
     std::vector<SensorReport> reports(scene.sensors.size());
     for (std::size_t first = 0; first < reports.size(); first += sensors_together) {
         const std::size_t end = std::min(first + sensors_together, reports.size());
-        tbb::parallel_for(first, end,
-                          [&](std::size_t s) { reports[s] = light.at(scene.sensors[s], s); });
+        tbb::parallel_for(
+            first, end, [&](std::size_t s) { reports[s] = light.at(scene.sensors[s], s, effort); });
         const double done = static_cast<double>(end) / static_cast<double>(reports.size());
-        if (go_on && !go_on(done)) reports.resize(end);
+        if (!go_on || go_on(done)) continue;
+        tbb::parallel_for(end, reports.size(), [&](std::size_t s) {
+            reports[s] = light.at(scene.sensors[s], s, in_a_hurry(effort));
+        });
+        break;
     }
     return reports;
 }

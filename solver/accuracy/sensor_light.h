@@ -12,7 +12,7 @@ namespace patchlight {
 struct SensorEffort {
     DirectEffort direct{32, 2048};
     int rays = 2048;         // over the hemisphere, a multiple of 32
-    int rays_of_look = 256;  // at each of 16 places that the sensor sees, likewise
+    int rays_of_look = 256;  // at each of 16 places that the sensor sees, likewise; 0: at none
     std::uint64_t seed = 0;
 };
 
@@ -22,8 +22,9 @@ SensorEffort sensor_effort(const GatherAim& aim, double rays_of_vertices, std::s
                            std::uint64_t seed);
 
 /// Irradiance at each sensor: straight from sources, and by rays from the field. What its parts
-/// differ by tells the noise. `go_on` is told the fraction done now and then; after a false there
-/// are reports of the first sensors alone.
+/// differ by tells the noise. `go_on` is told the fraction done now and then; after a false the
+/// rest of the sensors is lit by few rays, and what the field is wrong by is not among their
+/// errors.
 std::vector<SensorReport> light_at_sensors(const Scene& scene, const RayScene& rays,
                                            const PointGather& gather, const ReflectedField& field,
                                            const SensorEffort& effort,

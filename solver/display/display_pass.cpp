@@ -1,6 +1,7 @@
 #include "solver/display/display_pass.h"
 
 #include "solver/display/curved_mean.h"
+#include "solver/display/fill_unknown.h"
 #include "solver/display/find_apertures.h"
 #include "solver/display/lamp_reach.h"
 
@@ -19,7 +20,7 @@ constexpr int most_rays = 1 << 16;  // of one point
 /// Of direct light: what takes more is hardly bends, and is measured before it is cut further.
 constexpr std::size_t most_first_vertices = 100'000, most_times = 3;
 constexpr std::size_t most_times_roots = 2;  // of indirect light's vertices, where roots are many
-constexpr int most_levels = 14;        // gaps of a millimetre in walls of metres
+constexpr int most_levels = 14;              // gaps of a millimetre in walls of metres
 constexpr double expected_miss = 0.5;  // of indirect light's target, however smooth it looks [1]
 constexpr int most_bend_cuts = 2;      // each leaves a quarter
 constexpr double parabola_over_line = 8.0 / 15.0;  // mean square beside that in the middle [1]
@@ -53,21 +54,22 @@ std::vector<Rgb> spread(const RefinementTree& tree, const std::vector<Rgb>& of_p
 }  // namespace
 
 PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<LightSource> sources,
-                        int most_samples, std::uint64_t seed) {
-    const std::vector<Aperture> apertures =
-        find_apertures(scene, rays, sources, find_lamp_reach(scene, rays, sources, seed), seed);
+                        int most_samples, std::uint64_t seed,
+                        const std::function<bool()>& search_on) {
+    const std::vector<Aperture> apertures = find_apertures(
+        scene, rays, sources, find_lamp_reach(scene, rays, sources, seed), seed, search_on);
     return PointGather(rays, std::move(sources), most_samples, apertures);
 }
 
 DisplayPass::DisplayPass(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                         const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on)
+                         const MeshLines& lines, std::uint64_t seed, StopTokens stops)
     : scene_(scene),
       mesh_(mesh),
       rays_(rays),
       gather_(make_gather(scene, rays,
                           find_light_sources(scene, lines, rays, sources_for(mesh.size())),
-                          most_rays, seed)),
-      points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(go_on)),
+                          most_rays, seed, stops.search_on)),
+      points_(scene, mesh, rays, find_plane_groups(scene), gather_, seed, std::move(stops.go_on)),
       near_lights_(scene, mesh, rays, gather_.sources(), gather_.gaps()),
       spots_(scene, mesh, rays, gather_.sources(), gather_.gaps().all(), seed),
       tree_(mesh, find_flat_corners(mesh, find_plane_groups(scene))),
@@ -134,7 +136,13 @@ bool DisplayPass::refine_indirect(const Aim& aim, const ReflectedField& field, i
 }
 
 SplitIrradiance DisplayPass::at_all() const {
-    return {direct_->at_all(tree_), indirect_->at_all(tree_)};
+    const auto of = [&](const IrradianceLayer& layer, const std::vector<Rgb>& guess) {
+        if (!layer.lacks_roots()) return layer.at_all(tree_);
+        std::vector<Rgb> values = layer.at_all(tree_);
+        fill_unknown(scene_, mesh_, tree_, layer.known(), guess, values);
+        return values;
+    };
+    return {of(*direct_, guess_), of(*indirect_, {})};
 }
 
 void DisplayPass::show_bends(double missed) {

@@ -11,6 +11,12 @@
 
 namespace patchlight {
 
+/// Asked now and then, from the thread that called: after a false the work ends with what is there.
+struct StopTokens {
+    std::function<bool()> go_on;      // with gathering
+    std::function<bool()> search_on;  // for gaps that light comes through
+};
+
 /// The displayed field of a mesh: direct and indirect irradiance, each gathered at vertices of its
 /// own and refined by itself, on one tree.
 class DisplayPass {
@@ -20,7 +26,7 @@ class DisplayPass {
     static constexpr double least_weight = 0.1;
 
     DisplayPass(const Scene& scene, const PatchMesh& mesh, const RayScene& rays,
-                const MeshLines& lines, std::uint64_t seed, std::function<bool()> go_on);
+                const MeshLines& lines, std::uint64_t seed, StopTokens stops);
 
     /// √∫ Y² dA of what interpolation may miss [W/m]. False if the work was stopped.
     struct Aim {
@@ -43,6 +49,8 @@ class DisplayPass {
     void show_bends(double missed);
     /// The field so far; `added` to the indirect irradiance of each patch, smoothly; or empty.
     TreeDisplay show(const std::vector<Rgb>& added);
+    /// What direct light patches may have, where the work is stopped before it was gathered [W/m²].
+    void guess_direct(std::vector<Rgb> of_patch) { guess_ = std::move(of_patch); }
     /// See VertexGather.
     void share_rays(double least_cosine) { points_.share_rays(least_cosine); }
     /// Whether most vertices are corners of patches, so that a coarser look takes as long.
@@ -73,6 +81,7 @@ class DisplayPass {
     std::size_t direct_gathered_ = 0;  // vertices, at most so far
     double area_ = 0.0;                // of what is not covered [m²]
     std::vector<Rgb> weight_;          // per patch, of irradiance that is missed [1]
+    std::vector<Rgb> guess_;           // per patch, of direct light; or empty [W/m²]
 };
 
 }  // namespace patchlight

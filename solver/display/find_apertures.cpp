@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 namespace patchlight {
 
@@ -25,7 +27,7 @@ constexpr std::size_t most_apertures = 512;
 /// Lines through gaps that are known since new ones were found, for each of those, that end the
 /// search: after n of them about 1/n of the light may come through gaps that are not.
 constexpr std::size_t known_per_new = 128;
-constexpr std::size_t lines_at_a_time = 256;
+constexpr std::size_t lines_at_a_time = 256, looks_at_a_time = 256;
 
 float number(std::uint64_t bits) { return static_cast<float>(bits >> 40) * 0x1p-24f; }
 
@@ -56,22 +58,28 @@ class ApertureSearch {
             if (surface.side == Side::front) add_edges(surface);
     }
 
-    std::vector<Aperture> find() {
+    std::vector<Aperture> find(const std::function<bool()>& go_on) {
+        bool stopped = false;
+        const auto may_go_on = [&] { return !(stopped = stopped || (go_on && !go_on())); };
         if (edges_.empty() || sources_.empty()) return {};
         std::size_t known_since = 0, first = 0,
                     count = std::clamp(lines_of_edge * edges_.size(), fewest_first, most_first);
-        while (first < most_lines && found_.size() < most_apertures) {
-            const std::vector<Passage> now = passages(first, first + count);
+        while (first < most_lines && found_.size() < most_apertures && may_go_on()) {
+            std::vector<Passage> now = passages(first, first + count);
+            std::ranges::stable_partition(  // a gap is told best by light that goes straight
+                now, [](const Passage& passage) { return !passage.grazes(); });
             std::size_t new_ones = 0, known_ones = 0;
-            for (const bool grazes :
-                 {false, true})  // a gap is told best by light that goes straight
-                for (const Passage& passage : now) {
-                    if (passage.grazes() != grazes) continue;
-                    if (found_.count_crossed(passage.from(), passage.whole()) > 0)
+            for (std::size_t k = 0; k < now.size() && may_go_on(); k += looks_at_a_time) {
+                const auto some =
+                    std::span(now).subspan(k, std::min(looks_at_a_time, now.size() - k));
+                const std::vector<std::optional<Aperture>> gaps = probe(some);
+                for (std::size_t n = 0; n < some.size(); ++n) {
+                    if (is_known(some[n]))
                         ++known_ones;
-                    else if (look_at(passage))
+                    else if (gaps[n] && add(*gaps[n], some[n]))
                         ++new_ones;
                 }
+            }
             first += count;
             known_since = new_ones > 0 ? known_ones : known_since + known_ones;
             if (found_.empty() || known_since >= known_per_new * std::max<std::size_t>(1, new_ones))
@@ -191,16 +199,32 @@ class ApertureSearch {
         return (scene_.materials[scene_.surfaces[s].material].reflectance > 0.0).any();
     }
 
-    /// Whether a gap was found there.
-    bool look_at(const Passage& passage) {
-        if (found_.size() >= most_apertures) return false;
+    bool is_known(const Passage& passage) const {
+        return found_.count_crossed(passage.from(), passage.whole()) > 0;
+    }
+
+    /// The gaps there that are not known yet, if there are any, and worth it.
+    std::vector<std::optional<Aperture>> probe(std::span<const Passage> passages) const {
+        std::vector<std::optional<Aperture>> gaps(passages.size());
+        tbb::parallel_for(std::size_t{0}, passages.size(), [&](std::size_t k) {
+            if (!is_known(passages[k])) gaps[k] = gap_at(passages[k]);
+        });
+        return gaps;
+    }
+
+    std::optional<Aperture> gap_at(const Passage& passage) const {
         const GapProbe probe{rays_, passage.direction,
                              std::min({passage.before, passage.after, 10.0f * widest_}), widest_};
         auto gap = probe.find(passage.point, passage.edge->outward, passage.edge->along,
                               passage.edge->normal);
-        if (!gap || !is_worth_it(*gap, passage)) return false;
+        if (!gap || !is_worth_it(*gap, passage)) return std::nullopt;
         gap->hides_lamps = seen_through(*gap, passage) < little * widest_lamp_ || is_sun(passage);
-        found_.add(*gap);
+        return gap;
+    }
+
+    bool add(const Aperture& gap, const Passage& passage) {
+        if (found_.size() >= most_apertures) return false;
+        found_.add(gap);
         known_.push_back(-passage.direction);
         return true;
     }
@@ -258,9 +282,10 @@ class ApertureSearch {
 
 std::vector<Aperture> find_apertures(const Scene& scene, const RayScene& rays,
                                      const std::vector<LightSource>& sources,
-                                     const LampReach& reach, std::uint64_t seed) {
+                                     const LampReach& reach, std::uint64_t seed,
+                                     const std::function<bool()>& go_on) {
     if (rays.frames() > 1) return {};  // they are known in one frame alone
-    return ApertureSearch(scene, rays, sources, reach, seed).find();
+    return ApertureSearch(scene, rays, sources, reach, seed).find(go_on);
 }
 
 }  // namespace patchlight

@@ -64,14 +64,12 @@ bool IrradianceLayer::learn(const RefinementTree& tree, std::span<const std::uin
             }
     if (wanted.empty()) return true;
     const std::vector<Gathered> values = gather(wanted);
-    const std::size_t got = values.size();
+    std::size_t got = 0;
     for (std::size_t k = 0; k < wanted.size(); ++k) {
-        if (k < got) {
-            value_[wanted[k]] = values[k].value;
-            variance_[wanted[k]] = values[k].variance;
-        } else {
-            known_[wanted[k]] = false;
-        }
+        value_[wanted[k]] = values[k].value;
+        variance_[wanted[k]] = values[k].variance;
+        known_[wanted[k]] = values[k].known;
+        got += values[k].known ? 1 : 0;
     }
     gathered_ += got;
     return got == wanted.size();
@@ -167,12 +165,15 @@ bool IrradianceLayer::join(const Gather& gather, double share) {
     const std::vector<Gathered> more = gather(vertices);
     const double of_first = 0.5 * std::pow(1.0 - share, variance_decay),
                  of_more = 0.5 * std::pow(share, variance_decay);
+    bool is_whole = true;
     for (std::size_t k = 0; k < more.size(); ++k) {
         const std::uint32_t v = vertices[k];
+        is_whole = is_whole && more[k].known;
+        if (!more[k].known) continue;
         value_[v] = (1.0 - share) * value_[v] + share * more[k].value;
         variance_[v] = of_first * variance_[v] + of_more * more[k].variance;
     }
-    return more.size() == vertices.size();
+    return is_whole;
 }
 
 bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& reflectance,
@@ -185,7 +186,8 @@ bool IrradianceLayer::refine(RefinementTree& tree, const std::vector<Rgb>& refle
         std::vector<std::uint32_t> roots;
         for (std::uint32_t e = 0; e < tree.elements().size(); ++e)
             if (tree.elements()[e].level == 0) roots.push_back(e);
-        if (!learn(tree, roots, gather)) return false;
+        lacks_roots_ = !learn(tree, roots, gather);
+        if (lacks_roots_) return false;
         for (const std::uint32_t e : roots) {
             const double miss = root_miss(tree.elements()[e], of(e));
             leaves_.push_back({e, miss, miss, 0.0});

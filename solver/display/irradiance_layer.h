@@ -17,8 +17,9 @@ class IrradianceLayer {
     struct Gathered {
         Rgb value = Rgb::Zero();  // [W/m²]
         double variance = 0.0;    // of what is reflected of it, luminance; an estimate [W²/m⁴]
+        bool known = false;       // else the work was stopped before it was gathered
     };
-    /// Irradiance at vertices of the tree, in their order; fewer: the work was stopped.
+    /// Irradiance at vertices of the tree, in their order.
     using Gather = std::function<std::vector<Gathered>(std::span<const std::uint32_t> vertices)>;
 
     struct Rule {
@@ -52,6 +53,9 @@ class IrradianceLayer {
     /// Whether a split element of the tree is split in this layer.
     bool is_cut(const RefinementTree& tree, const TreeElement& element) const;
     bool known(std::uint32_t vertex) const { return vertex < known_.size() && known_[vertex]; }
+    const std::vector<bool>& known() const { return known_; }
+    /// Whether corners of roots were left out, for the work was stopped.
+    bool lacks_roots() const { return lacks_roots_; }
     std::size_t gathered() const { return gathered_; }
     /// What is expected to be missed yet, √∫ Y² dA [W/m].
     double expected_miss() const { return expected_miss_; }
@@ -87,6 +91,7 @@ class IrradianceLayer {
     std::vector<bool> known_;       // per vertex: gathered
     std::vector<Leaf> leaves_;      // in the order of the tree's elements
     std::size_t gathered_ = 0;
+    bool lacks_roots_ = false;
     double expected_miss_ = 0.0;
 };
 

@@ -8,6 +8,7 @@
 #include "solver/rays/ray_scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -149,8 +150,9 @@ class PointGather {
     SobolPoints points_;
 };
 
-/// The same with the apertures that are found.
+/// The same with the apertures that are found while `search_on` says so.
 PointGather make_gather(const Scene& scene, const RayScene& rays, std::vector<LightSource> sources,
-                        int most_samples, std::uint64_t seed);
+                        int most_samples, std::uint64_t seed,
+                        const std::function<bool()>& search_on);
 
 }  // namespace patchlight

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numbers>
+#include <numeric>
 
 namespace patchlight {
 
@@ -16,6 +18,15 @@ constexpr double inward = 1e-4;  // of the way to the patch's centre
 constexpr std::size_t first_points = 64, fewest_points = 16, most_points = 4096;
 constexpr double seconds_between = 0.02;
 constexpr double most_pairs = 2e7;  // of patches and patches of sources that are looked at
+constexpr std::size_t fewest_parts = 1024, most_of_part = 32;
+
+/// Steps of that many, round and round, come to each of `count` places, always in the largest gap.
+std::size_t step_through(std::size_t count) {
+    auto step = std::max<std::size_t>(
+        1, static_cast<std::size_t>(static_cast<double>(count) / std::numbers::phi));
+    while (std::gcd(step, count) != 1) ++step;
+    return step;
+}
 
 }  // namespace
 
@@ -62,32 +73,36 @@ bool VertexGather::may_be_shaded(PatchIndex i) const {
     return std::find(clear_[i].begin(), clear_[i].end(), false) != clear_[i].end();
 }
 
-std::size_t VertexGather::each(std::size_t count,
-                               const std::function<void(std::size_t)>& at) const {
-    std::size_t at_a_time = first_points;
-    for (std::size_t first = 0, end = 0; first < count; first = end) {
-        end = std::min(first + at_a_time, count);
+void VertexGather::each(std::size_t count, const std::function<void(std::size_t)>& at) const {
+    const std::size_t part = std::clamp(count / fewest_parts, std::size_t{1}, most_of_part),
+                      parts = (count + part - 1) / part, step = step_through(parts);
+    std::size_t at_a_time = std::max<std::size_t>(1, first_points / part);
+    for (std::size_t first = 0, end = 0; first < parts; first = end) {
+        end = std::min(first + at_a_time, parts);
         const auto began = std::chrono::steady_clock::now();
-        tbb::parallel_for(first, end, at);
-        if (go_on_ && !go_on_()) return end;
+        tbb::parallel_for(first, end, [&](std::size_t k) {
+            const std::size_t from = k * step % parts * part;
+            for (std::size_t n = from; n < std::min(from + part, count); ++n) at(n);
+        });
+        if (go_on_ && !go_on_()) return;
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-        at_a_time = took.count() < seconds_between ? std::min(2 * at_a_time, most_points)
-                                                   : std::max(at_a_time / 2, fewest_points);
+        at_a_time = took.count() < seconds_between
+                        ? std::min(2 * at_a_time, std::max<std::size_t>(1, most_points / part))
+                        : std::max(at_a_time / 2, std::max<std::size_t>(1, fewest_points / part));
     }
-    return count;
 }
 
 std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& tree,
                                                          std::span<const std::uint32_t> vertices,
                                                          const DirectEffort& effort) const {
     std::vector<Gathered> values(vertices.size());
-    values.resize(each(vertices.size(), [&](std::size_t k) {
+    each(vertices.size(), [&](std::size_t k) {
         const TreeVertex& vertex = tree.vertices()[vertices[k]];
         const PointGather::Direct found =
             gather_.direct(point(vertex.patch, vertex.position), effort, mix(seed_, vertices[k]));
         const double y = luminance(reflectance_of(vertex.patch));
-        values[k] = {found.irradiance, y * y * found.variance};
-    }));
+        values[k] = {found.irradiance, y * y * found.variance, true};
+    });
     return values;
 }
 
@@ -97,11 +112,11 @@ std::vector<VertexGather::Gathered> VertexGather::indirect(const RefinementTree&
                                                            int end) const {
     const auto value = [&](std::uint32_t v, const PointGather::Indirect& found) {
         const Rgb& reflectance = reflectance_of(tree.vertices()[v].patch);
-        return Gathered{found.irradiance, found.variance(reflectance)};
+        return Gathered{found.irradiance, found.variance(reflectance), true};
     };
     std::vector<Gathered> values(vertices.size());
     const std::vector<Shared> groups = shared(tree, vertices);
-    const std::size_t done = each(groups.size(), [&](std::size_t g) {
+    each(groups.size(), [&](std::size_t g) {
         const Shared& group = groups[g];
         const std::uint32_t v = vertices[group.front()];
         const std::uint64_t key = mix(seed_ + 1, v);
@@ -118,12 +133,6 @@ std::vector<VertexGather::Gathered> VertexGather::indirect(const RefinementTree&
         for (std::size_t k = 0; k < group.size(); ++k)
             values[group[k]] = value(vertices[group[k]], found[k]);
     });
-    if (done < groups.size()) {  // up to the first that is missing
-        std::size_t whole = vertices.size();
-        for (std::size_t g = done; g < groups.size(); ++g)
-            whole = std::min<std::size_t>(whole, groups[g].front());
-        values.resize(whole);
-    }
     return values;
 }
 

@@ -48,8 +48,9 @@ class VertexGather {
                                std::span<const std::uint32_t> vertices) const;
     GatherPoint shared_point(const RefinementTree& tree, std::span<const std::uint32_t> vertices,
                              const Shared& group, std::vector<Vec3>& normals) const;
-    /// How many were done before the work was stopped.
-    std::size_t each(std::size_t count, const std::function<void(std::size_t)>& at) const;
+    /// Parts of the list are done in an order that leaves what is done spread over all of it when
+    /// the work is stopped.
+    void each(std::size_t count, const std::function<void(std::size_t)>& at) const;
 
     const Scene& scene_;
     const PatchMesh& mesh_;

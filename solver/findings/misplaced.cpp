@@ -188,12 +188,4 @@ Misplaced find_misplaced(const FlawSearch& search, std::span<const Viewpoint> vi
     return found;
 }
 
-Misplaced find_misplaced(const Scene& scene, std::span<const Viewpoint> viewpoints,
-                         std::uint64_t seed) {
-    if (scene.surfaces.empty() || (scene.sensors.empty() && viewpoints.empty())) return {};
-    const CoplanarOverlaps overlaps = find_coplanar_overlaps(scene);
-    const RayScene rays(scene, overlaps);
-    return find_misplaced(FlawSearch{scene, overlaps, rays, seed}, viewpoints);
-}
-
 }  // namespace patchlight

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <cmath>
 #include <numeric>
 
 namespace patchlight {
@@ -18,6 +20,7 @@ namespace patchlight {
 namespace {
 
 constexpr std::size_t rows_at_a_time = 256;  // between two words to the observer
+constexpr int fewest_rays = 16;              // of a cluster, however little time there is
 
 struct ClusterRow {
     std::vector<std::uint32_t> columns;  // ascending, with the cluster itself
@@ -154,12 +157,27 @@ void append(const ClusterRow& row, std::size_t c, int rays, ClusterExchange& exc
     matrix.rays += static_cast<std::uint64_t>(rays);
 }
 
+/// Rays of a cluster that all of them can be given in time.
+int affordable(const ClusterRays& from, std::size_t clusters, int rays, double seconds) {
+    if (!std::isfinite(seconds)) return rays;
+    const std::size_t probes = std::min(clusters, rows_at_a_time), apart = clusters / probes;
+    const auto began = std::chrono::steady_clock::now();
+    tbb::parallel_for(std::size_t{0}, probes, [&](std::size_t k) { from.row(k * apart); });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+    const double all = took.count() * static_cast<double>(clusters) / static_cast<double>(probes);
+    const double share = seconds / std::max(all, 1e-9);
+    return share >= 1.0 ? rays
+                        : std::max(std::min(rays, fewest_rays), static_cast<int>(share * rays));
+}
+
 }  // namespace
 
 ClusterExchange find_cluster_exchange(const Scene& scene, const PatchMesh& mesh,
                                       const RayScene& ray_scene, const LightClusters& clusters,
-                                      int rays, std::uint64_t seed,
+                                      int rays, double seconds, std::uint64_t seed,
                                       const FractionObserver& observe) {
+    rays = affordable(ClusterRays(scene, mesh, ray_scene, clusters, rays, seed), clusters.size(),
+                      rays, seconds);
     const ClusterRays from(scene, mesh, ray_scene, clusters, rays, seed);
     ClusterExchange exchange;
     ExchangeMatrix& matrix = exchange.between;

@@ -19,11 +19,12 @@ struct ClusterExchange {
 
 /// By rays: origins uniform over a cluster's area, directions with density cosine over pi; every
 /// ray lands on a cluster's front, on a back or outside, so closure holds, and both ends of a pair
-/// are joined, so reciprocity holds. `rays` of each cluster. `between.complete` is false if
+/// are joined, so reciprocity holds. `rays` of each cluster; fewer if that would take longer than
+/// `seconds`, as the first of them tell. `between.complete` is false if
 /// `observe` stopped the work.
 ClusterExchange find_cluster_exchange(const Scene& scene, const PatchMesh& mesh,
                                       const RayScene& ray_scene, const LightClusters& clusters,
-                                      int rays, std::uint64_t seed,
+                                      int rays, double seconds, std::uint64_t seed,
                                       const FractionObserver& observe);
 
 }  // namespace patchlight

@@ -36,7 +36,7 @@ IrradianceLayer::Gather gatherer(const RefinementTree& tree, const Function& f) 
         std::vector<Gathered> values;
         for (const std::uint32_t v : vertices) {
             const Vec3& p = tree.vertices()[v].position;
-            values.push_back({Rgb::Constant(f(p.x(), p.y())), 0.0});
+            values.push_back({Rgb::Constant(f(p.x(), p.y())), 0.0, true});
         }
         return values;
     };
@@ -155,7 +155,7 @@ TEST(IrradianceLayer, JoinsSamplesToThoseThereAre) {
     rule.target = 1.0;
     const auto all = [](double value) {
         return [value](std::span<const std::uint32_t> vertices) {
-            return std::vector<Gathered>(vertices.size(), {Rgb::Constant(value), 0.04});
+            return std::vector<Gathered>(vertices.size(), {Rgb::Constant(value), 0.04, true});
         };
     };
     layer.refine(square.tree, square.reflectance, rule, all(1.0));
@@ -208,7 +208,7 @@ TEST(IrradianceLayer, DoesNotRefineNoiseThatItIsToldOf) {
     const auto gather = [&](std::span<const std::uint32_t> vertices) {
         std::vector<Gathered> values;
         for (std::size_t k = 0; k < vertices.size(); ++k)
-            values.push_back({Rgb::Constant(1.0 + normal(random)), 0.25 * noise * noise});
+            values.push_back({Rgb::Constant(1.0 + normal(random)), 0.25 * noise * noise, true});
         return values;
     };
     IrradianceLayer::Rule rule;
@@ -233,14 +233,18 @@ TEST(IrradianceLayer, LooksBetweenCornersThatAreAlike) {
 TEST(IrradianceLayer, KeepsWhatItHasWhenItIsStopped) {
     Square square;
     IrradianceLayer layer(square.tree.vertices().size());
-    const auto first_only = [](std::span<const std::uint32_t> vertices) {
-        return std::vector<Gathered>(vertices.size() / 2, Gathered{Rgb::Constant(3.0), 0.0});
+    const auto every_other = [](std::span<const std::uint32_t> vertices) {
+        std::vector<Gathered> values(vertices.size());
+        for (std::size_t k = 0; k < vertices.size(); k += 2)
+            values[k] = {Rgb::Constant(3.0), 0.0, true};
+        return values;
     };
-    EXPECT_FALSE(layer.refine(square.tree, square.reflectance, {}, first_only));
+    EXPECT_FALSE(layer.refine(square.tree, square.reflectance, {}, every_other));
     int known = 0;
     for (std::uint32_t v = 0; v < square.tree.vertices().size(); ++v) known += layer.known(v);
     EXPECT_EQ(static_cast<std::size_t>(known), layer.gathered());
     EXPECT_GT(known, 0);
+    EXPECT_TRUE(layer.lacks_roots());
 }
 
 }  // namespace

@@ -9,7 +9,11 @@
 namespace patchlight::misplaced_test {
 namespace {
 
-constexpr std::uint64_t seed = 1;
+Misplaced search(const Scene& scene, std::span<const Viewpoint> viewpoints = {}) {
+    const CoplanarOverlaps overlaps = find_coplanar_overlaps(scene);
+    const RayScene rays(scene, overlaps);
+    return find_misplaced(FlawSearch{scene, overlaps, rays}, viewpoints);
+}
 
 /// The room of 4 x 3 x 2.5 m with a table of 1 x 1 x 0.7 m in it.
 Scene furnished_room() {
@@ -20,7 +24,7 @@ Scene furnished_room() {
 
 bool is_misplaced(Scene scene, const Vec3& position, const Vec3& normal = Vec3::UnitZ()) {
     scene.sensors = {{"s", position, normal}};
-    const Misplaced found = find_misplaced(scene, {}, seed);
+    const Misplaced found = search(scene);
     EXPECT_EQ(found.findings.size(), found.sensors.at(0) ? 1u : 0u);
     return found.sensors.at(0);
 }
@@ -57,7 +61,7 @@ TEST(Misplaced, PointsOfAGridAreToldInOneFindingThatCountsThem) {
     for (int k = 0; k < 8; ++k)
         scene.sensors.push_back({"spill[" + std::to_string(k) + ",0]", Vec3(0.25 + k, 1.5, 1.0)});
     scene.sensors.push_back({"desk", Vec3(1, 1, -1)});
-    const Misplaced found = find_misplaced(scene, {}, seed);
+    const Misplaced found = search(scene);
     EXPECT_EQ(std::count(found.sensors.begin(), found.sensors.end(), true), 5);
     ASSERT_EQ(kinds(found.findings), "sensor-misplaced ");
     EXPECT_EQ(found.findings[0].count, 5u);
@@ -71,14 +75,14 @@ TEST(Misplaced, CamerasThatSeeBacksAloneAreToldOf) {
                                             {"table", Vec3(2.5, 1.5, 0.3)},
                                             {"cellar", Vec3(1, 1, -2)},
                                             {"yard", Vec3(9, 1, 1)}};
-    const Misplaced found = find_misplaced(scene, viewpoints, seed);
+    const Misplaced found = search(scene, viewpoints);
     ASSERT_EQ(kinds(found.findings), "camera-misplaced camera-misplaced camera-misplaced ");
     EXPECT_NE(found.findings[0].detail.find("'table'"), std::string::npos);
     EXPECT_EQ(found.findings[0].objects, std::vector<std::string>{"table"});
     EXPECT_NE(found.findings[1].detail.find("'cellar'"), std::string::npos);
     // A room without its south wall is looked into from there.
     const std::vector<Viewpoint> before{{"front", Vec3(2, -5, 1)}};
-    EXPECT_TRUE(find_misplaced(lit_room("south"), before, seed).findings.empty());
+    EXPECT_TRUE(search(lit_room("south"), before).findings.empty());
 }
 
 }  // namespace
