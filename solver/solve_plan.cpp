@@ -23,7 +23,7 @@ constexpr int coarse_rays = 256;  // where the display is gathered anew
 constexpr int cluster_rays = 256;
 constexpr double fewest_coarse_patches = 40.0, most_coarse_patches = 300.0;
 constexpr double coarse_patch_share = 3.0;  // of a coarse solution's patches, over the accuracy
-constexpr std::size_t most_matrix_patches = 8000;  // of a coarse solution: more take too long
+constexpr std::size_t most_matrix_patches = 4000;  // of a coarse solution: more take too long
 constexpr int default_cast_rays = 4096;
 constexpr double default_tolerance = 1e-4;
 constexpr double sweep_share = 0.02, shot_share = 0.4;  // of the accuracy, for the algebraic bound

@@ -22,6 +22,7 @@ constexpr std::size_t most_first_vertices = 100'000, most_times = 3;
 constexpr std::size_t most_times_roots = 2;  // of indirect light's vertices, where roots are many
 constexpr int most_levels = 14;              // gaps of a millimetre in walls of metres
 constexpr double expected_miss = 0.5;  // of indirect light's target, however smooth it looks [1]
+constexpr double of_records = 1.0;     // of indirect light's target: what they may miss [1]
 constexpr int most_bend_cuts = 2;      // each leaves a quarter
 constexpr double parabola_over_line = 8.0 / 15.0;  // mean square beside that in the middle [1]
 
@@ -116,8 +117,9 @@ void DisplayPass::restart_indirect() {
 
 bool DisplayPass::refine_indirect(const Aim& aim, const ReflectedField& field, int rays) {
     const auto gather = [&](int first) {
-        return [this, &field, first, rays](std::span<const std::uint32_t> vertices) {
-            return points_.indirect(tree_, vertices, field, first, rays);
+        return [this, &field, &aim, first, rays](std::span<const std::uint32_t> vertices) {
+            return points_.indirect(tree_, vertices, field, first, rays,
+                                    of_records * aim.target / std::sqrt(area_));
         };
     };
     if (indirect_rays_ > 0 && indirect_rays_ < rays &&

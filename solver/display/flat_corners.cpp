@@ -43,15 +43,17 @@ std::vector<PatchEdge> find_sides(const PatchMesh& mesh, const PlaneGroups& plan
     return sides;
 }
 
-/// Per side, in their order.
-std::vector<bool> find_creases(const PatchMesh& mesh, const std::vector<PatchEdge>& sides) {
+/// Per side, in their order. The other sides of the same polygons divide nothing.
+std::vector<bool> find_creases(const PatchMesh& mesh, const PlaneGroups& planes,
+                               const std::vector<PatchEdge>& sides) {
     std::vector<bool> creases(sides.size());
     for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
+        const std::uint32_t plane = sides[first].plane, other_side = planes.other_side[plane];
         bool crease = mesh.is_crease(sides[first].a, sides[first].b);
         for (end = first;
              end < sides.size() && sides[end].a == sides[first].a && sides[end].b == sides[first].b;
              ++end)
-            crease = crease || sides[end].plane != sides[first].plane;
+            crease = crease || (sides[end].plane != plane && sides[end].plane != other_side);
         std::fill(creases.begin() + static_cast<std::ptrdiff_t>(first),
                   creases.begin() + static_cast<std::ptrdiff_t>(end), crease);
     }
@@ -74,7 +76,7 @@ FlatCorners find_flat_corners(const PatchMesh& mesh, const PlaneGroups& planes) 
     FlatCorners corners;
     corners.creases.assign(mesh.size(), 0);
     const std::vector<PatchEdge> sides = find_sides(mesh, planes);
-    const std::vector<bool> creases = find_creases(mesh, sides);
+    const std::vector<bool> creases = find_creases(mesh, planes, sides);
     for (std::size_t k = 0; k < sides.size(); ++k) {
         if (creases[k])
             corners.creases[sides[k].number / 4] |=

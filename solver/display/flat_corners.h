@@ -11,7 +11,8 @@ namespace patchlight {
 
 /// Corners of patches at which irradiance is one value: those round a vertex in one plane, joined
 /// over edges that are no creases: nothing stands on them, and no other plane ends there, which may
-/// be a wall between two rooms. Materials do not matter: paint does not change what arrives.
+/// be a wall between two rooms; but the other side of a two-sided polygon is none. Materials do not
+/// matter: paint does not change what arrives.
 struct FlatCorners {
     std::size_t count = 0;
     std::vector<std::array<std::uint32_t, 4>> of_patch;  // number at each vertex of each patch

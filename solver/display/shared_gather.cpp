@@ -10,6 +10,7 @@ namespace patchlight {
 
 namespace {
 
+constexpr double same_normal = 1.0 - 1e-12;
 constexpr double towards_centres = 1e-4;  // of the way to the middle of the patches' centres
 
 std::uint64_t place_key(const Vec3& p) {
@@ -37,7 +38,10 @@ std::vector<VertexGather::Shared> VertexGather::shared(
         std::vector<std::uint32_t>& here = groups_at[place_key(position)];
         const auto fits = std::ranges::find_if(here, [&](std::uint32_t g) {
             const std::uint32_t first = groups[g].front();
-            return normal(first).dot(normal(k)) >= least_cosine_ &&
+            const bool same_plane = std::ranges::any_of(groups[g], [&](std::uint32_t member) {
+                return normal(member).dot(normal(k)) > same_normal;  // a crease is between
+            });
+            return !same_plane && normal(first).dot(normal(k)) >= least_cosine_ &&
                    tree.vertices()[vertices[first]].position == position;
         });
         if (fits != here.end()) {

@@ -18,6 +18,7 @@ constexpr double inward = 1e-4;  // of the way to the patch's centre
 constexpr std::size_t first_points = 64, fewest_points = 16, most_points = 4096;
 constexpr double seconds_between = 0.02;
 constexpr double most_pairs = 2e7;  // of patches and patches of sources that are looked at
+constexpr std::size_t fewest_for_records = 20'000;  // places
 constexpr std::size_t fewest_parts = 1024, most_of_part = 32;
 
 /// Steps of that many, round and round, come to each of `count` places, always in the largest gap.
@@ -109,13 +110,15 @@ std::vector<VertexGather::Gathered> VertexGather::direct(const RefinementTree& t
 std::vector<VertexGather::Gathered> VertexGather::indirect(const RefinementTree& tree,
                                                            std::span<const std::uint32_t> vertices,
                                                            const ReflectedField& field, int first,
-                                                           int end) const {
+                                                           int end, double may_miss) const {
     const auto value = [&](std::uint32_t v, const PointGather::Indirect& found) {
         const Rgb& reflectance = reflectance_of(tree.vertices()[v].patch);
         return Gathered{found.irradiance, found.variance(reflectance), true};
     };
     std::vector<Gathered> values(vertices.size());
     const std::vector<Shared> groups = shared(tree, vertices);
+    if (least_cosine_ <= 1.0 && groups.size() >= fewest_for_records)
+        return by_records({tree, vertices, groups, field, first, end}, may_miss);
     each(groups.size(), [&](std::size_t g) {
         const Shared& group = groups[g];
         const std::uint32_t v = vertices[group.front()];

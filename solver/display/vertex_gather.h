@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/display/irradiance_layer.h"
+#include "solver/display/irradiance_records.h"
 #include "solver/display/point_gather.h"
 #include "solver/mesh/patch_mesh.h"
 #include "solver/scene/plane_groups.h"
@@ -27,10 +28,13 @@ class VertexGather {
     /// normals differ from one by no more than this cosine: a tessellated surface has one set of
     /// rays for all its facets at a corner.
     void share_rays(double least_cosine) { least_cosine_ = least_cosine; }
-    /// By rays [first, end) of each vertex' sequence, multiples of 32.
+    /// By rays [first, end) of each vertex' sequence, multiples of 32. Of many vertices that share
+    /// rays most are lit by records at others, where those miss no more than `may_miss` of what is
+    /// reflected, luminance [W/m²].
     std::vector<Gathered> indirect(const RefinementTree& tree,
                                    std::span<const std::uint32_t> vertices,
-                                   const ReflectedField& field, int first, int end) const;
+                                   const ReflectedField& field, int first, int end,
+                                   double may_miss) const;
 
     /// A point of patch i, moved a little towards its centre so that no ray starts on the edge of
     /// another surface.
@@ -46,6 +50,17 @@ class VertexGather {
     using Shared = std::vector<std::uint32_t>;  // places in a list of vertices
     std::vector<Shared> shared(const RefinementTree& tree,
                                std::span<const std::uint32_t> vertices) const;
+    struct Request {  // for indirect light
+        const RefinementTree& tree;
+        std::span<const std::uint32_t> vertices;
+        const std::vector<Shared>& groups;
+        const ReflectedField& field;
+        int first, end;  // rays
+    };
+    std::vector<Gathered> by_records(const Request& request, double may_miss) const;
+    GatherPoint point_of(const Request& request, const Shared& group) const;
+    bool sees(const GatherPoint& a, const GatherPoint& b) const;
+    IrradianceRecord record(const Request& request, const Shared& group) const;
     GatherPoint shared_point(const RefinementTree& tree, std::span<const std::uint32_t> vertices,
                              const Shared& group, std::vector<Vec3>& normals) const;
     /// Parts of the list are done in an order that leaves what is done spread over all of it when

@@ -59,6 +59,12 @@ PlaneGroups find_plane_groups(const Scene& scene) {
         groups.of_surface.push_back(number);
         groups.members.push_back({s});
     }
+    groups.other_side.assign(groups.size(), PlaneGroups::none);
+    for (SurfaceIndex s = 1; s < scene.surfaces.size(); ++s) {
+        if (scene.surfaces[s].side != Side::back) continue;  // its front comes right before it
+        groups.other_side[groups.of_surface[s]] = groups.of_surface[s - 1];
+        groups.other_side[groups.of_surface[s - 1]] = groups.of_surface[s];
+    }
     return groups;
 }
 

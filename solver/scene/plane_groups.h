@@ -2,6 +2,7 @@
 
 #include "solver/scene/scene.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace patchlight {
@@ -12,6 +13,9 @@ struct PlaneGroups {
     std::vector<std::uint32_t> of_surface;
     std::vector<std::vector<SurfaceIndex>> members;  // per group, ascending; the first gives the
                                                      // plane
+    static constexpr std::uint32_t none = ~0u;
+    std::vector<std::uint32_t> other_side;  // per group: that of the other halves of its two-sided
+                                            // polygons, or none
     std::size_t size() const { return members.size(); }
 };
 
