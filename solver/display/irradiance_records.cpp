@@ -21,7 +21,7 @@ constexpr double reach_of_part = 4.0;      // of a part's radius: records within
 constexpr double least_cosine = 0.7;       // between normals
 constexpr double steepest = 0.3;           // off the plane, over the distance
 constexpr double ridge = 1e-3;             // of the weights: of places that lie in a row
-constexpr double most_extrapolated = 1.8;  // sum of the weights' sizes [1]
+constexpr double most_extrapolated = 3.0;  // sum of the weights' sizes [1]
 constexpr double far_weight = 1e-4;        // of the farthest record's weight
 
 }  // namespace

@@ -1,9 +1,10 @@
 #include "solver/display/near_lights.h"
 
+#include "solver/display/near_places.h"
+
 #include <oneapi/tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
 
 #include <algorithm>
 #include <cmath>
@@ -14,37 +15,6 @@ namespace patchlight {
 namespace {
 
 constexpr double farthest = 2.24;  // of an element's radius, off a light: √(2² + 1²) [1]
-
-using Box = Eigen::AlignedBox3d;  // [m]
-Box around(const Vec3& centre, double radius) {
-    return {centre - Vec3::Constant(radius), centre + Vec3::Constant(radius)};
-}
-
-struct LightBox {
-    std::uint32_t light = 0;
-    Box box;
-};
-Box bounding_box(const LightBox& light) { return light.box; }  // asked for by the tree
-
-using LightTree = Eigen::KdBVH<double, 3, LightBox>;
-
-struct LightQuery {
-    Box wanted;
-    std::vector<std::uint32_t> found = {};
-    bool intersectVolume(const Box& box) const { return wanted.intersects(box); }
-    bool intersectObject(const LightBox& light) {
-        if (wanted.intersects(light.box)) found.push_back(light.light);
-        return false;  // go on
-    }
-};
-
-template <typename Lights>
-LightTree tree_of(const Lights& lights) {
-    std::vector<LightBox> boxes;
-    for (std::uint32_t l = 0; l < lights.size(); ++l)
-        boxes.push_back({l, around(lights[l].centre, lights[l].radius)});
-    return {boxes.begin(), boxes.end()};
-}
 
 double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 along = b - a;
@@ -86,18 +56,24 @@ NearLights::NearLights(const Scene& scene, const PatchMesh& mesh, const RayScene
             add(light);
         }
     }
-    const LightTree tree = tree_of(lights_);
+    std::vector<Vec3> centres;
+    double widest = 0.0;  // radius [m]
+    for (const Light& light : lights_) {
+        centres.push_back(light.centre);
+        widest = std::max(widest, light.radius);
+    }
+    const NearPlaces tree(std::move(centres));
     tbb::parallel_for(PatchIndex{0}, static_cast<PatchIndex>(mesh.size()), [&](PatchIndex i) {
         const Patch& patch = mesh.patches[i];
         Disc disc{patch.centre, scene.surfaces[patch.surface].normal, 0.0};
         for (const std::uint32_t v : patch.vertices)
             disc.radius = std::max(disc.radius, (mesh.vertices[v] - patch.centre).norm());
-        LightQuery query{around(disc.centre, farthest * disc.radius)};
-        if (tree.getRootIndex() >= 0)
-            Eigen::BVIntersect(tree, query);
-        else if (!lights_.empty())
-            query.found = {0};  // the tree of one has no root
-        for (const std::uint32_t l : query.found)
+        const auto near = tree.nearest(disc.centre, widest + farthest * disc.radius, lights_.size(),
+                                       [&](std::uint32_t l) {
+                                           return (lights_[l].centre - disc.centre).norm() <=
+                                                  lights_[l].radius + farthest * disc.radius;
+                                       });
+        for (const std::uint32_t l : near)
             if (hides_spot(disc, lights_[l], 0.0)) near_[i].push_back(l);
     });
 }

@@ -62,9 +62,9 @@ struct Ball {
 TEST(SharedGather, SaysWhatEachFacetWouldSayByItself) {
     Ball ball;
     const std::vector<std::uint32_t> vertices = ball.all();
-    const auto alone = ball.points.indirect(ball.tree, vertices, ball.field, 0, 1024);
+    const auto alone = ball.points.indirect(ball.tree, vertices, ball.field, 0, 1024, 0.0);
     ball.points.share_rays(std::cos(15.0 * M_PI / 180.0));
-    const auto shared = ball.points.indirect(ball.tree, vertices, ball.field, 0, 1024);
+    const auto shared = ball.points.indirect(ball.tree, vertices, ball.field, 0, 1024, 0.0);
     ASSERT_EQ(shared.size(), vertices.size());
     double sum = 0.0, expected = 0.0, differ = 0.0;
     for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -84,9 +84,9 @@ TEST(SharedGather, LeavesPlanesThatFaceElsewhereAlone) {
     for (const std::uint32_t v : ball.all())
         if (ball.pieces.mesh.patches[ball.tree.vertices()[v].patch].surface < 6)
             vertices.push_back(v);
-    const auto alone = ball.points.indirect(ball.tree, vertices, ball.field, 0, 64);
+    const auto alone = ball.points.indirect(ball.tree, vertices, ball.field, 0, 64, 0.0);
     ball.points.share_rays(std::cos(15.0 * M_PI / 180.0));
-    const auto shared = ball.points.indirect(ball.tree, vertices, ball.field, 0, 64);
+    const auto shared = ball.points.indirect(ball.tree, vertices, ball.field, 0, 64, 0.0);
     for (std::size_t k = 0; k < vertices.size(); ++k)
         EXPECT_EQ(shared[k].value[0], alone[k].value[0]);
 }

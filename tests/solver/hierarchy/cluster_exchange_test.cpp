@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <cmath>
 #include <numbers>
 
@@ -32,12 +34,15 @@ Scene hollow_ball(int slices) {
     return scene;
 }
 
+constexpr double no_limit = std::numeric_limits<double>::infinity();
+
 struct Ball {
     CutScene pieces = cut(hollow_ball(24), 1.0);
     RayScene ray_scene{pieces.scene, pieces.lines.overlaps};
     LightClusters clusters = make_light_clusters(pieces.scene, pieces.mesh, 40);
-    ClusterExchange exchange = find_cluster_exchange(pieces.scene, pieces.mesh, ray_scene, clusters,
-                                                     rays, 1, [](double) { return true; });
+    ClusterExchange exchange =
+        find_cluster_exchange(pieces.scene, pieces.mesh, ray_scene, clusters, rays, no_limit, 1,
+                              [](double) { return true; });
 };
 
 /// In a ball every point sees every other alike: a cluster sends to each, and to itself, in
@@ -81,8 +86,18 @@ TEST(ClusterExchange, StopsWhenToldTo) {
     Ball ball;
     const ClusterExchange stopped =
         find_cluster_exchange(ball.pieces.scene, ball.pieces.mesh, ball.ray_scene, ball.clusters,
-                              64, 1, [](double) { return false; });
+                              64, no_limit, 1, [](double) { return false; });
     EXPECT_FALSE(stopped.between.complete);
+}
+
+TEST(ClusterExchange, CastsFewerRaysWhereThereIsNoTimeForAll) {
+    const Ball ball;
+    const ClusterExchange hurried =
+        find_cluster_exchange(ball.pieces.scene, ball.pieces.mesh, ball.ray_scene, ball.clusters,
+                              rays, 1e-9, 1, [](double) { return true; });
+    EXPECT_TRUE(hurried.between.complete);
+    EXPECT_LT(hurried.between.rays, ball.exchange.between.rays / 4);
+    EXPECT_GE(hurried.between.rays, 16 * ball.clusters.size());
 }
 
 /// B = E / (1 - ρ) where light is given off alike all over a closed scene, whatever the clusters:
