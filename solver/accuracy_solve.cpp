@@ -155,7 +155,8 @@ void AccuracySolve::aim_closer() {
                              light_.correction(),
                              light_.read_coarsely(),
                              light_.has_gaps() && aim_.effort.by_apertures,
-                             measured_->amplified()};
+                             measured_->amplified(),
+                             carries_on_clusters()};
     light_.look_closer(measured_->checks.missed);
     const auto rays_for = [&, &noise = light_.noise()](double less) {
         return noise.rays_for(less * noise.absolute(aim_.rays), fewest_rays, most_rays);

@@ -12,6 +12,7 @@ namespace {
 constexpr double planned = 0.75;      // of the target: all causes together, measured
 constexpr double a_little = 0.8;      // of what was missed, where it was within that
 constexpr double joinable = 0.10;     // of the target: a change that rays need not read
+constexpr double bearable = 0.75;     // the same, where gathering all anew costs most
 constexpr double unexplained = 2.0;   // times noise and bends: what rays read is wrong
 constexpr double improving = 0.7;     // of the error before: rounds alone bring it down
 constexpr double smoothed = 0.85;     // of the noise, what smoothing leaves [1]
@@ -112,9 +113,11 @@ double NextAim::tighten(const RoundErrors& errors, GatherAim& aim) {
         aim.gathered = GatherAim::Indirect::kept;
         return 1.0;
     }
-    const bool may_join = explained && !errors.read_coarse &&
-                          errors.correction < joinable * target_ &&
-                          aim.gathered != GatherAim::Indirect::joined;
+    const bool reads_right =
+                   explained && !errors.read_coarse && errors.correction < joinable * target_,
+               nearly_right = errors.coarse_is_fine && errors.correction < bearable * target_;
+    const bool may_join =
+        (reads_right || nearly_right) && aim.gathered != GatherAim::Indirect::joined;
     aim.gathered = may_join ? GatherAim::Indirect::joined : GatherAim::Indirect::anew;
     const double before = std::exchange(last_indirect_, errors.amplified * errors.indirect);
     is_settling_ = !explained && last_indirect_ < improving * before;

@@ -23,6 +23,7 @@ struct RoundErrors {
     bool read_coarse = false;             // rays read a solution coarser than what they gathered
     bool has_gaps = false;                // that samples of lamps may not find
     double amplified = 1.0;               // what all comes to by going to and fro, over itself
+    bool coarse_is_fine = false;          // the coarse solution, about as fine as roots are
 };
 
 /// What the next round aims at, where the one before missed the target.

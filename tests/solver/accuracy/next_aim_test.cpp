@@ -117,6 +117,20 @@ TEST(NextAim, AimsCloserWhereErrorsLightEachOther) {
     EXPECT_DOUBLE_EQ(unexplained.aim.indirect, 0.002);
 }
 
+TEST(NextAim, GathersOnFromACoarseSolutionThatIsFine) {
+    RoundErrors coarse{0.001, 0.009, 0.002, 0.001, 0.0, 0.001, 0.0005, true};
+    coarse.correction = 0.5 * target;
+    for (const bool is_fine : {false, true}) {
+        coarse.coarse_is_fine = is_fine;
+        Rounds rounds;
+        rounds.after(coarse);
+        EXPECT_EQ(rounds.aim.gathered,
+                  is_fine ? GatherAim::Indirect::joined : GatherAim::Indirect::anew);
+        rounds.after(coarse);
+        EXPECT_EQ(rounds.aim.gathered, GatherAim::Indirect::anew) << "that was not enough";
+    }
+}
+
 TEST(NextAim, DoesNotCutForNoiseOfLampsThatAreSeenInPart) {
     Rounds rounds;
     rounds.after({0.0052, 0.012, 0.011, 0.002, 0.005, 0.0052, 0.0005});
